@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/status.h"
+
+namespace liftarm::design {
+
+//! \brief The only door to the program: text in, text out. Used by the command and by wasm/.
+//! \details A session is stepped: nobody can call into a busy WebAssembly module, so advance() does
+//! a bounded amount of work and returns. No clock, no threads, no files.
+class DesignSession {
+ public:
+  //! \param sketchJson   A sketch (DESIGN 3).
+  //! \param settingsJson {"seed": 1, "preset": "simple", "method": "default", "set": {"key":
+  //! value}};
+  //!                     everything optional.
+  //! \return The session, or the one message that says what is wrong with either text.
+  static base::Result<std::unique_ptr<DesignSession>> create(std::string_view sketchJson,
+                                                             std::string_view settingsJson);
+
+  virtual ~DesignSession() = default;
+
+  //! \brief Does at most `iterations` steps of the search. \return True when the search has ended.
+  virtual bool advance(std::uint32_t iterations) = 0;
+
+  //! \brief Where the search stands, as JSON: {"done", "phase", "iterations", "fraction" (0..1),
+  //! "objective", "temperature", "beams", "gaps", "collisions", "failedConnections",
+  //! "improvements"}. `improvements` counts how often the best layout changed: when it grew,
+  //! modelJson() is new.
+  [[nodiscard]] virtual std::string progressJson() const = 0;
+
+  //! \brief The best model so far as model JSON (model/model_json.h).
+  [[nodiscard]] virtual std::string modelJson() const = 0;
+
+  //! \brief The report of DESIGN 4 on the best model so far, without its times, as JSON.
+  [[nodiscard]] virtual std::string reportJson() const = 0;
+};
+
+//! \brief Every check on a model file (DESIGN 5): {"buildable": bool, "items": [{"id", "title",
+//! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], ...}.
+base::Result<std::string> checkModelJson(std::string_view modelJson);
+
+//! \brief A model in another format. \param format "mpd" or "parts.csv".
+base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format);
+
+}  // namespace liftarm::design

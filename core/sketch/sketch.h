@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lattice/vec.h"
+
+namespace liftarm::sketch {
+
+//! \brief One straight line of whole length. After reading, |to - from| equals `length` up to
+//! rounding.
+struct Line {
+  lattice::Vec3 from;
+  lattice::Vec3 to;
+  int length = 0;                         //!< modules, at least 1
+  bool exact = false;                     //!< beams must lie on the line (layer 0)
+  std::optional<lattice::Axis> holeAxis;  //!< fixed by the user
+};
+
+//! \brief A point with an axis about which two groups of lines must turn.
+struct Joint {
+  lattice::Vec3 at;
+  lattice::Vec3 axis;  //!< unit length
+  std::vector<std::vector<int>>
+      between;  //!< groups of line indices; empty where just two lines meet
+};
+
+//! \brief Lines mapped onto lines: by a mirror plane {p : normal.p = offset} or by a shift.
+struct Symmetry {
+  enum class Kind { kReflection, kTranslation };
+
+  Kind kind = Kind::kReflection;
+  lattice::Vec3 normal;
+  double offset = 0.0;
+  std::vector<int> lines;  //!< reflection: empty means all
+  lattice::Vec3 vector;
+  std::vector<std::pair<int, int>> pairs;  //!< translation: line, image
+};
+
+//! \brief An axis-aligned box of cells (by their centres, inclusive) that no part may enter.
+struct KeepOut {
+  lattice::Vec3 min;
+  lattice::Vec3 max;
+};
+
+//! \brief The input (DESIGN 3).
+struct Sketch {
+  std::string name;
+  std::vector<Line> lines;
+  std::vector<Joint> joints;
+  std::vector<Symmetry> symmetries;
+  std::vector<KeepOut> keepOut;
+  std::optional<double> ground;
+};
+
+}  // namespace liftarm::sketch

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/status.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::sketch {
+
+//! Limits, checked before anything else is done with the input.
+inline constexpr std::size_t kMaxSketchBytes = 8U << 20U;
+inline constexpr std::size_t kMaxLines = 20000;
+inline constexpr double kMaxCoordinate = 2000.0;  //!< modules, in magnitude
+inline constexpr int kMaxTotalLength = 100000;    //!< modules over all lines
+inline constexpr double kLengthTolerance = 0.05;  //!< modules off a whole length that are snapped
+
+//! \brief Reads a sketch (DESIGN 3) and snaps its lines to whole lengths.
+//! \param json The file's text, at most kMaxSketchBytes.
+//! \return The sketch, or kInvalidInput with one message that names the place and what would be
+//! right,
+//!         such as `lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5`.
+base::Result<Sketch> readSketch(std::string_view json);
+
+//! \brief Writes a sketch so that reading it gives the same sketch.
+std::string writeSketch(const Sketch& sketch);
+
+}  // namespace liftarm::sketch

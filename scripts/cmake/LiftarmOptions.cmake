@@ -1,0 +1,27 @@
+# Flags of all our code (STYLE 4.3, 5.8), as one interface target.
+
+add_library(liftarm_options INTERFACE)
+target_include_directories(liftarm_options INTERFACE "${CMAKE_SOURCE_DIR}/core")
+target_compile_options(
+  liftarm_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wswitch
+                            # The same bits on every platform: no fused multiply-add.
+                            -ffp-contract=off)
+if(LIFTARM_STRICT)
+  target_compile_options(liftarm_options INTERFACE -Werror)
+endif()
+
+# "Release with debug info" as we want it: full optimisation, line tables only.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g1 -DNDEBUG")
+
+if(LIFTARM_SANITIZE)
+  list(JOIN LIFTARM_SANITIZE "," sanitizers)
+  target_compile_options(liftarm_options INTERFACE "-fsanitize=${sanitizers}" -fno-omit-frame-pointer
+                                                   -fno-sanitize-recover=all)
+  target_link_options(liftarm_options INTERFACE "-fsanitize=${sanitizers}")
+endif()
+
+if(EMSCRIPTEN)
+  set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+  target_compile_options(liftarm_options INTERFACE -flto -fwasm-exceptions)
+  target_link_options(liftarm_options INTERFACE -flto -fwasm-exceptions)
+endif()

@@ -1,0 +1,24 @@
+import { resolve } from 'node:path';
+import { defineConfig } from 'vite';
+
+const root = import.meta.dirname;
+const top = resolve(root, '..');
+
+// Vitest reads the same file (field `test`).
+export default defineConfig({
+  root,
+  // Relative addresses: the built page works under any path of a plain static server.
+  base: './',
+  publicDir: resolve(top, 'public'),
+  cacheDir: resolve(top, 'node_modules/.vite'),
+  resolve: { alias: { '@wasm': resolve(top, 'build/wasm') } },
+  worker: { format: 'es' },
+  server: { fs: { allow: [top] } },
+  build: { outDir: resolve(top, 'dist'), emptyOutDir: true, target: 'es2022', sourcemap: true },
+  test: {
+    root: top,
+    include: ['tests/web/**/*.test.{ts,tsx}', 'tests/contract/**/*.test.ts', 'tests/checks/**/*.test.mjs'],
+    environment: 'node',
+    testTimeout: 60_000,
+  },
+} as Parameters<typeof defineConfig>[0]);
