@@ -17,7 +17,11 @@ export default defineConfig({
   build: { outDir: resolve(top, 'dist'), emptyOutDir: true, target: 'es2022', sourcemap: true },
   test: {
     root: top,
-    include: ['tests/web/**/*.test.{ts,tsx}', 'tests/contract/**/*.test.ts', 'tests/checks/**/*.test.mjs'],
+    include: [
+      'tests/web/**/*.test.{ts,tsx}',
+      'tests/contract/**/*.test.ts',
+      'tests/checks/**/*.test.mjs',
+    ],
     environment: 'node',
     testTimeout: 60_000,
   },

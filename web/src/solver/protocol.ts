@@ -1,0 +1,88 @@
+/**
+ * Messages between the page and the solver worker. Each carries the job it belongs to; a job begins with
+ * one message of `ToWorker` and ends with exactly one message that `endsJob` accepts. Sketches, models
+ * and reports travel as the JSON text that the module reads and writes: the file that a person downloads
+ * is the text that was computed.
+ */
+
+/** Search settings; everything left out takes the module's own default (contract.ts). */
+export interface SolveSettings {
+  readonly seed?: number;
+  readonly preset?: string;
+  readonly method?: string;
+  /** Single options by key, as `liftarm solve --set key=value`. */
+  readonly set?: Readonly<Record<string, number | string | boolean>>;
+}
+
+/** Where a search stands. `fraction` runs from 0 to 1; counts are of the best layout so far. */
+export interface SolveProgress {
+  readonly done: boolean;
+  readonly phase: string;
+  readonly iterations: number;
+  readonly fraction: number;
+  readonly objective: number;
+  readonly temperature: number;
+  readonly beams: number;
+  readonly gaps: number;
+  readonly collisions: number;
+  readonly failedConnections: number;
+  /** How often the best layout changed; when it grew there is a new model. */
+  readonly improvements: number;
+}
+
+/** Seconds spent inside the module: in all, and by the phase that `SolveProgress` names. */
+export interface SolveSeconds {
+  readonly total: number;
+  readonly byPhase: Readonly<Record<string, number>>;
+}
+
+export type ExportFormat = 'mpd' | 'parts.csv';
+
+export type ToWorker =
+  /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */
+  | {
+      readonly kind: 'start';
+      readonly jobId: number;
+      readonly sketchJson: string;
+      readonly settings: SolveSettings;
+    }
+  /** Ends the solve of that number with `cancelled`; no reply when it has ended already. */
+  | { readonly kind: 'cancel'; readonly jobId: number }
+  /** Replies: `checked`, `refused` or `failed`. */
+  | { readonly kind: 'check'; readonly jobId: number; readonly modelJson: string }
+  /** Replies: `exported`, `refused` or `failed`. */
+  | {
+      readonly kind: 'export';
+      readonly jobId: number;
+      readonly modelJson: string;
+      readonly format: ExportFormat;
+    };
+
+export type FromWorker =
+  /** `modelJson` is null when the best model is the one of an earlier message. */
+  | {
+      readonly kind: 'progress';
+      readonly jobId: number;
+      readonly progress: SolveProgress;
+      readonly modelJson: string | null;
+    }
+  /** The search ended; whether the model is buildable stands in the report. */
+  | {
+      readonly kind: 'solved';
+      readonly jobId: number;
+      readonly modelJson: string;
+      readonly reportJson: string;
+      readonly seconds: SolveSeconds;
+    }
+  /** The input is not acceptable: one sentence that names the place and what would be right. */
+  | { readonly kind: 'refused'; readonly jobId: number; readonly message: string }
+  | { readonly kind: 'cancelled'; readonly jobId: number }
+  | { readonly kind: 'checked'; readonly jobId: number; readonly checkJson: string }
+  | { readonly kind: 'exported'; readonly jobId: number; readonly text: string }
+  /** A bug or no memory. The module's state is unknown: discard the worker. */
+  | { readonly kind: 'failed'; readonly jobId: number; readonly message: string };
+
+/** Whether a reply is the last one of its job. */
+export function endsJob(reply: FromWorker): boolean {
+  return reply.kind !== 'progress';
+}
