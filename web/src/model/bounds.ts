@@ -1,0 +1,72 @@
+import { rotate, type Vec3 } from './vec.ts';
+import type { Catalogue } from './catalogue.ts';
+import type { Model } from './model.ts';
+import type { SketchDocument } from './sketch.ts';
+
+/** An axis-aligned box in modules; min <= max in each coordinate. */
+export interface Bounds {
+  readonly min: Vec3;
+  readonly max: Vec3;
+}
+
+/** The smallest box around the points, or null when there is none. */
+export function boundsOfPoints(points: Iterable<Vec3>): Bounds | null {
+  const min: [number, number, number] = [Infinity, Infinity, Infinity];
+  const max: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  let any = false;
+  for (const p of points) {
+    any = true;
+    for (let i = 0; i < 3; i++) {
+      const value = p[i] ?? 0;
+      min[i] = Math.min(min[i] ?? value, value);
+      max[i] = Math.max(max[i] ?? value, value);
+    }
+  }
+  return any ? { min, max } : null;
+}
+
+/** The smallest box around both; either may be null. */
+export function unionBounds(a: Bounds | null, b: Bounds | null): Bounds | null {
+  if (!a || !b) {
+    return a ?? b;
+  }
+  return boundsOfPoints([a.min, a.max, b.min, b.max]);
+}
+
+/** The eight corners of a box. */
+export function corners(box: Bounds): Vec3[] {
+  const result: Vec3[] = [];
+  for (let i = 0; i < 8; i++) {
+    result.push([
+      i & 1 ? box.max[0] : box.min[0],
+      i & 2 ? box.max[1] : box.min[1],
+      i & 4 ? box.max[2] : box.min[2],
+    ]);
+  }
+  return result;
+}
+
+/** The box around all parts of a model that the catalogue knows, or null. */
+export function modelBounds(model: Model, catalogue: Catalogue): Bounds | null {
+  const points: Vec3[] = [];
+  for (const placed of model.parts) {
+    const part = catalogue.find(placed.part);
+    if (!part) {
+      continue;
+    }
+    for (const corner of corners({ min: part.boundsMin, max: part.boundsMax })) {
+      const turned = rotate(placed.rotation, corner);
+      points.push([
+        turned[0] + placed.position[0],
+        turned[1] + placed.position[1],
+        turned[2] + placed.position[2],
+      ]);
+    }
+  }
+  return boundsOfPoints(points);
+}
+
+/** The box around all line ends of a sketch, or null when it has no line. */
+export function sketchBounds(sketch: SketchDocument): Bounds | null {
+  return boundsOfPoints(sketch.lines.flatMap((line) => [line.from, line.to]));
+}

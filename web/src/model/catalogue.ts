@@ -1,0 +1,84 @@
+import type { Vec3 } from './vec.ts';
+
+/** Mirrors parts::PartClass in core/parts/catalogue.h. */
+export type PartClass = 'beam' | 'pin' | 'axle' | 'connector' | 'bush' | 'gear';
+
+/** A male pin or axle, or a female pin or axle hole. */
+export type FeatureKind = 'pin' | 'axle' | 'pinHole' | 'axleHole';
+
+/** A hole or a head: a straight stretch along an axis. Part frame, modules. */
+export interface Feature {
+  readonly kind: FeatureKind;
+  /** Middle of the stretch. */
+  readonly center: Vec3;
+  /** Unit vector along the stretch. */
+  readonly axis: Vec3;
+  readonly length: number;
+  /** Direction of one wing of an axle's cross. */
+  readonly wing?: Vec3;
+  /** Slot middles, one module apart. */
+  readonly slots: readonly Vec3[];
+}
+
+/** One stretch of a beam that covers sketch edges: from its first to its last hole centre. */
+export interface Stretch {
+  readonly from: Vec3;
+  readonly to: Vec3;
+}
+
+/** All points within `radius` (across) of the segment and `halfThickness` along `axis`. */
+export interface Prism {
+  readonly from: Vec3;
+  readonly to: Vec3;
+  readonly axis: Vec3;
+  readonly radius: number;
+  readonly halfThickness: number;
+}
+
+/** One real part; its frame is LDraw's own, turned so that Z is up and 1 is a module. */
+export interface Part {
+  readonly id: string;
+  readonly name: string;
+  readonly partClass: PartClass;
+  /** Grams. */
+  readonly mass: number;
+  readonly massEstimated: boolean;
+  /** A pin that holds by friction. */
+  readonly friction: boolean;
+  /** Default LDraw colour. */
+  readonly color: number;
+  /** Straight beams: number of holes; others 0. */
+  readonly holes: number;
+  /** Beams: 1 or 0.5 modules. */
+  readonly thickness: number;
+  readonly features: readonly Feature[];
+  readonly stretches: readonly Stretch[];
+  /** Body only, without the heads of `features`. */
+  readonly solid: readonly Prism[];
+  readonly boundsMin: Vec3;
+  readonly boundsMax: Vec3;
+}
+
+/** All parts that may be used, by their number. */
+export class Catalogue {
+  readonly parts: readonly Part[];
+  readonly #byId: ReadonlyMap<string, Part>;
+
+  constructor(parts: readonly Part[]) {
+    this.parts = parts;
+    this.#byId = new Map(parts.map((part) => [part.id, part]));
+  }
+
+  /** The part with this LDraw number, or undefined. */
+  find(id: string): Part | undefined {
+    return this.#byId.get(id);
+  }
+}
+
+export function isMale(kind: FeatureKind): boolean {
+  return kind === 'pin' || kind === 'axle';
+}
+
+export function isHole(kind: FeatureKind): boolean {
+  return kind === 'pinHole' || kind === 'axleHole';
+}

@@ -1,0 +1,63 @@
+import type { Vec3 } from './vec.ts';
+
+/** One thing that is wrong, and where. */
+export interface Problem {
+  readonly kind: string;
+  readonly message: string;
+  readonly at?: Vec3;
+  /** Indices into the model's parts. */
+  readonly parts?: readonly number[];
+}
+
+/** The report of a solve (DESIGN 4). Keys that a run does not fill are left out. */
+export interface Report {
+  readonly name?: string;
+  readonly seed?: number;
+  readonly preset?: string;
+  readonly method?: string;
+  readonly lines?: number;
+  /** Sum of the line lengths, modules. */
+  readonly length?: number;
+  readonly components?: number;
+  readonly beams?: number;
+  readonly bricks?: number;
+  readonly gaps?: number;
+  readonly collisions?: number;
+  readonly uncovered?: number;
+  readonly failedConnections?: number;
+  readonly pinHeadRatio?: number;
+  /** Mean distance of beams from their lines, modules. */
+  readonly deviation?: number;
+  readonly layerRange?: number;
+  readonly symmetryDeviation?: number;
+  readonly rigidSubsets?: number;
+  /** Internal degrees of freedom. */
+  readonly freedoms?: number;
+  readonly balanced?: boolean;
+  readonly assemblable?: boolean;
+  readonly buildable?: boolean;
+  readonly problems?: readonly Problem[];
+  readonly objective?: number;
+  readonly iterations?: number;
+  readonly seconds?: { readonly stageOne: number; readonly stageTwo: number; readonly total: number };
+  readonly beamsLowerBound?: number;
+  /** Grams. */
+  readonly mass?: number;
+  /** Extent in modules along x, y and z. */
+  readonly size?: Vec3;
+}
+
+/** One line of the check of a model (DESIGN 5). */
+export interface CheckItem {
+  readonly id: string;
+  readonly title: string;
+  readonly ok: boolean;
+  readonly detail: string;
+}
+
+/** What the check of a model file answers. */
+export interface CheckReport {
+  readonly buildable: boolean;
+  readonly items: readonly CheckItem[];
+  readonly problems: readonly Problem[];
+}
