@@ -1,0 +1,250 @@
+import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { KeepOutBox, SketchDocument, SketchJoint, SketchLine } from '../model/sketch.ts';
+import type { AxisName, Vec3 } from '../model/vec.ts';
+
+/** What a link carries: the sketch and everything that the result depends on. */
+export interface SharedState {
+  readonly sketch: SketchDocument;
+  readonly preset: string;
+  readonly seed: number;
+}
+
+export const MAX_FRAGMENT = 60_000;
+const MAX_INFLATED = 2_000_000;
+const MAX_LINES = 5000;
+const MAX_COORDINATE = 2000;
+const MAX_TEXT = 120;
+const AXES: readonly AxisName[] = ['x', 'y', 'z'];
+const UNREADABLE = 'This link is damaged: a part of it is missing or changed.';
+
+/** A link's text as written by one version of the page: never change one, add the next. */
+interface Version {
+  readonly encode: (state: SharedState) => unknown;
+  readonly decode: (value: unknown) => SharedState | null;
+}
+
+const VERSIONS: Readonly<Record<string, Version>> = { '1': { encode: encodeV1, decode: decodeV1 } };
+const CURRENT = '1';
+
+/** The address fragment, without `#`, for a state; a failure when the sketch is too large for a link. */
+export async function encodeShare(state: SharedState): Promise<Outcome<string>> {
+  if (state.sketch.lines.length > MAX_LINES) {
+    return bad(`A link holds at most ${MAX_LINES} lines. Send the sketch file instead.`);
+  }
+  const text = JSON.stringify(VERSIONS[CURRENT]?.encode(state));
+  const packed = toBase64Url(await deflate(text));
+  const fragment = `s${CURRENT}.${packed}.${checksum(packed)}`;
+  return fragment.length > MAX_FRAGMENT
+    ? bad('This sketch is too large for a link. Send the sketch file instead.')
+    : good(fragment);
+}
+
+/** The state in an address fragment; null when the fragment is none of ours. */
+export async function decodeShare(fragment: string): Promise<Outcome<SharedState> | null> {
+  const match = /^s(\d+)\.([^.]*)(?:\.(.*))?$/.exec(fragment);
+  if (!match) {
+    return null;
+  }
+  const [, number = '', packed = '', sum = ''] = match;
+  const version = VERSIONS[number];
+  if (!version) {
+    return bad(
+      'This link was made by a newer version of this page. Reload the page and try again.',
+    );
+  }
+  if (fragment.length > MAX_FRAGMENT || sum !== checksum(packed)) {
+    return bad(UNREADABLE);
+  }
+  try {
+    const state = version.decode(JSON.parse(await inflate(fromBase64Url(packed))));
+    return state ? good(state) : bad(UNREADABLE);
+  } catch {
+    return bad(UNREADABLE);
+  }
+}
+
+// Version 1: [name, seed, preset, lines, joints, keepOut, ground, symmetries]; a line is
+// [x, y, z, x, y, z, bits] with bits 1 exact, 2/4/6 hole axis x/y/z.
+
+function encodeV1(state: SharedState): unknown {
+  const { sketch } = state;
+  return [
+    (sketch.name ?? '').slice(0, MAX_TEXT),
+    state.seed,
+    state.preset,
+    sketch.lines.map((line) => [...line.from.map(round), ...line.to.map(round), bitsOf(line)]),
+    (sketch.joints ?? []).map((joint) => [joint.at, joint.axis, joint.between ?? 0]),
+    (sketch.keepOut ?? []).map((box) => [box.min, box.max]),
+    sketch.ground ?? null,
+    sketch.symmetries ?? [],
+  ];
+}
+
+function decodeV1(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 8) {
+    return null;
+  }
+  const [name, seed, preset, rows, joints, boxes, ground] = value as unknown[];
+  const lines = mapAll(rows, MAX_LINES, decodeLine);
+  const readJoints = mapAll(joints, MAX_LINES, (row) => decodeJoint(row, lines?.length ?? 0));
+  const keepOut = mapAll(boxes, MAX_LINES, decodeBox);
+  if (!lines || !readJoints || !keepOut) {
+    return null;
+  }
+  const sketch: SketchDocument = {
+    format: 'technic-sketch',
+    version: 1,
+    name: typeof name === 'string' ? name.slice(0, MAX_TEXT) : '',
+    lines,
+    ...(readJoints.length > 0 ? { joints: readJoints } : {}),
+    ...(keepOut.length > 0 ? { keepOut } : {}),
+    ...(isCoordinate(ground) ? { ground } : {}),
+    ...decodeSymmetries(value[7], lines.length),
+  };
+  return {
+    sketch,
+    seed: typeof seed === 'number' && Number.isInteger(seed) && seed >= 0 ? seed % 2 ** 31 : 1,
+    preset: typeof preset === 'string' ? preset.slice(0, MAX_TEXT) : 'simple',
+  };
+}
+
+function decodeLine(row: unknown): SketchLine | null {
+  if (!Array.isArray(row) || row.length !== 7) {
+    return null;
+  }
+  const from = decodePoint(row.slice(0, 3));
+  const to = decodePoint(row.slice(3, 6));
+  const bits: unknown = row[6];
+  if (!from || !to || typeof bits !== 'number' || !Number.isInteger(bits)) {
+    return null;
+  }
+  const holeAxis = AXES[(bits >> 1) - 1];
+  return { from, to, ...(bits & 1 ? { exact: true } : {}), ...(holeAxis ? { holeAxis } : {}) };
+}
+
+function decodeJoint(row: unknown, lineCount: number): SketchJoint | null {
+  if (!Array.isArray(row)) {
+    return null;
+  }
+  const at = decodePoint(row[0]);
+  const axis = decodePoint(row[1]);
+  if (!at || !axis) {
+    return null;
+  }
+  const between = mapAll(row[2], 64, (group) => decodeIndices(group, lineCount));
+  return between ? { at, axis, between } : { at, axis };
+}
+
+function decodeSymmetries(value: unknown, count: number): Pick<SketchDocument, 'symmetries'> {
+  const symmetries = mapAll(value, 64, (row) => decodeReflection(row, count));
+  return symmetries && symmetries.length > 0 ? { symmetries } : {};
+}
+
+function decodeReflection(row: unknown, count: number) {
+  if (typeof row !== 'object' || row === null) {
+    return null;
+  }
+  const { kind, normal, offset, lines } = row as Record<string, unknown>;
+  const direction = decodePoint(normal);
+  if (kind !== 'reflection' || !direction || !isCoordinate(offset)) {
+    return null;
+  }
+  const chosen = decodeIndices(lines, count);
+  return { kind, normal: direction, offset, ...(chosen ? { lines: chosen } : {}) } as const;
+}
+
+function decodeIndices(value: unknown, count: number): number[] | null {
+  return mapAll(value, MAX_LINES, (n) =>
+    typeof n === 'number' && Number.isInteger(n) && n >= 0 && n < count ? n : null,
+  );
+}
+
+function decodeBox(row: unknown): KeepOutBox | null {
+  const min = Array.isArray(row) ? decodePoint(row[0]) : null;
+  const max = Array.isArray(row) ? decodePoint(row[1]) : null;
+  return min && max ? { min, max } : null;
+}
+
+function decodePoint(value: unknown): Vec3 | null {
+  if (!Array.isArray(value) || value.length !== 3 || !value.every(isCoordinate)) {
+    return null;
+  }
+  const [x, y, z] = value;
+  return x === undefined || y === undefined || z === undefined ? null : [x, y, z];
+}
+
+/** The images of all entries, or null when it is no list, is too long, or one has no image. */
+function mapAll<T>(value: unknown, limit: number, read: (entry: unknown) => T | null): T[] | null {
+  if (!Array.isArray(value) || value.length > limit) {
+    return null;
+  }
+  const result: T[] = [];
+  for (const entry of value) {
+    const read_ = read(entry);
+    if (read_ === null) {
+      return null;
+    }
+    result.push(read_);
+  }
+  return result;
+}
+
+function isCoordinate(value: unknown): value is number {
+  return typeof value === 'number' && Number.isFinite(value) && Math.abs(value) <= MAX_COORDINATE;
+}
+
+function bitsOf(line: SketchLine): number {
+  const axis = line.holeAxis ? AXES.indexOf(line.holeAxis) + 1 : 0;
+  return (line.exact ? 1 : 0) + 2 * axis;
+}
+
+/** Six decimals keep 60-degree points well within the reader's tolerance. */
+function round(value: number): number {
+  return Math.round(value * 1e6) / 1e6;
+}
+
+/** A short sum that notices a link cut off or mistyped (FNV-1a, 32 bits, base 36). */
+function checksum(text: string): string {
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i++) {
+    hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  }
+  return (hash >>> 0).toString(36);
+}
+
+async function deflate(text: string): Promise<Uint8Array> {
+  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** Throws when the bytes are no deflate stream or unpack to more than the limit. */
+async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  const reader = stream.getReader();
+  const decoder = new TextDecoder('utf-8', { fatal: true });
+  let text = '';
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) {
+      return text + decoder.decode();
+    }
+    text += decoder.decode(value, { stream: true });
+    if (text.length > MAX_INFLATED) {
+      await reader.cancel();
+      throw new RangeError('the link unpacks to too much');
+    }
+  }
+}
+
+function toBase64Url(bytes: Uint8Array): string {
+  let binary = '';
+  for (const byte of bytes) {
+    binary += String.fromCharCode(byte);
+  }
+  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
+  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
+  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
+}

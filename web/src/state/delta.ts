@@ -1,0 +1,145 @@
+import type {
+  KeepOutBox,
+  SketchDocument,
+  SketchJoint,
+  SketchLine,
+  SketchSymmetry,
+} from '../model/sketch.ts';
+
+/** One replaced stretch of a list: `removed` stood at `at` before, `added` stands there after. */
+export interface Splice<T> {
+  readonly at: number;
+  readonly removed: readonly T[];
+  readonly added: readonly T[];
+}
+
+/** A single value before and after; null stands for a field that is left out. */
+export interface Change<T> {
+  readonly before: T | null;
+  readonly after: T | null;
+}
+
+/** An edit of a sketch that can be undone: it holds what was there and what is there now. */
+export interface SketchDelta {
+  readonly lines?: Splice<SketchLine>;
+  readonly joints?: Splice<SketchJoint>;
+  readonly symmetries?: Splice<SketchSymmetry>;
+  readonly keepOut?: Splice<KeepOutBox>;
+  readonly name?: Change<string>;
+  readonly ground?: Change<number>;
+}
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+/** The smallest splice that turns `before` into `after`, or undefined when they are equal. */
+export function diffList<T>(before: readonly T[], after: readonly T[]): Splice<T> | undefined {
+  const shorter = Math.min(before.length, after.length);
+  let at = 0;
+  while (at < shorter && same(before[at], after[at])) {
+    at++;
+  }
+  let tail = 0;
+  while (
+    tail < shorter - at &&
+    same(before[before.length - 1 - tail], after[after.length - 1 - tail])
+  ) {
+    tail++;
+  }
+  const removed = before.slice(at, before.length - tail);
+  const added = after.slice(at, after.length - tail);
+  return removed.length === 0 && added.length === 0 ? undefined : { at, removed, added };
+}
+
+/** The delta that turns `before` into `after`. */
+export function diffSketch(before: SketchDocument, after: SketchDocument): SketchDelta {
+  const delta: Mutable<SketchDelta> = {};
+  const lines = diffList(before.lines, after.lines);
+  if (lines) delta.lines = lines;
+  const joints = diffList(before.joints ?? [], after.joints ?? []);
+  if (joints) delta.joints = joints;
+  const symmetries = diffList(before.symmetries ?? [], after.symmetries ?? []);
+  if (symmetries) delta.symmetries = symmetries;
+  const keepOut = diffList(before.keepOut ?? [], after.keepOut ?? []);
+  if (keepOut) delta.keepOut = keepOut;
+  if (before.name !== after.name) {
+    delta.name = { before: before.name ?? null, after: after.name ?? null };
+  }
+  if (before.ground !== after.ground) {
+    delta.ground = { before: before.ground ?? null, after: after.ground ?? null };
+  }
+  return delta;
+}
+
+/** True when the delta changes nothing. */
+export function isEmptyDelta(delta: SketchDelta): boolean {
+  return Object.keys(delta).length === 0;
+}
+
+/** The delta that undoes this one. */
+export function invertDelta(delta: SketchDelta): SketchDelta {
+  const inverse: Mutable<SketchDelta> = {};
+  if (delta.lines) inverse.lines = invertSplice(delta.lines);
+  if (delta.joints) inverse.joints = invertSplice(delta.joints);
+  if (delta.symmetries) inverse.symmetries = invertSplice(delta.symmetries);
+  if (delta.keepOut) inverse.keepOut = invertSplice(delta.keepOut);
+  if (delta.name) inverse.name = { before: delta.name.after, after: delta.name.before };
+  if (delta.ground) inverse.ground = { before: delta.ground.after, after: delta.ground.before };
+  return inverse;
+}
+
+/**
+ * The sketch after the delta. Lists that end up empty are left out, as the format allows.
+ * The delta must have been made for this sketch; see `invertDelta` for the way back.
+ */
+export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDocument {
+  const next: Mutable<SketchDocument> = { ...sketch };
+  if (delta.lines) {
+    next.lines = applySplice(sketch.lines, delta.lines);
+  }
+  setList(next, 'joints', delta.joints && applySplice(sketch.joints ?? [], delta.joints));
+  setList(
+    next,
+    'symmetries',
+    delta.symmetries && applySplice(sketch.symmetries ?? [], delta.symmetries),
+  );
+  setList(next, 'keepOut', delta.keepOut && applySplice(sketch.keepOut ?? [], delta.keepOut));
+  if (delta.name) {
+    if (delta.name.after === null) delete next.name;
+    else next.name = delta.name.after;
+  }
+  if (delta.ground) {
+    if (delta.ground.after === null) delete next.ground;
+    else next.ground = delta.ground.after;
+  }
+  return next;
+}
+
+type ListKey = 'joints' | 'symmetries' | 'keepOut';
+
+function setList<K extends ListKey>(
+  sketch: Mutable<SketchDocument>,
+  key: K,
+  list: SketchDocument[K] | undefined,
+): void {
+  if (list === undefined) {
+    return;
+  }
+  if (list.length === 0) {
+    delete sketch[key];
+    return;
+  }
+  sketch[key] = list;
+}
+
+function applySplice<T>(list: readonly T[], splice: Splice<T>): T[] {
+  const end = splice.at + splice.removed.length;
+  return [...list.slice(0, splice.at), ...splice.added, ...list.slice(end)];
+}
+
+function invertSplice<T>(splice: Splice<T>): Splice<T> {
+  return { at: splice.at, removed: splice.added, added: splice.removed };
+}
+
+function same(a: unknown, b: unknown): boolean {
+  return a === b || JSON.stringify(a) === JSON.stringify(b);
+}

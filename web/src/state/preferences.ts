@@ -1,0 +1,102 @@
+import { effect, type Signal, signal } from '@preact/signals';
+
+/** What a person sets and the next visit keeps; none of it is part of a sketch. */
+export interface Preferences {
+  readonly theme: 'auto' | 'light' | 'dark';
+  readonly autoSolve: boolean;
+  readonly preset: string;
+  readonly seed: number;
+  /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
+  readonly advanced: string;
+  readonly show: 'sketch' | 'both' | 'model';
+  readonly colourBy: 'part' | 'class' | 'layer' | 'component' | 'piece';
+  readonly projection: 'perspective' | 'orthographic';
+  readonly shadows: boolean;
+}
+
+export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
+  theme: 'auto',
+  autoSolve: true,
+  preset: 'simple',
+  seed: 1,
+  advanced: '',
+  show: 'both',
+  colourBy: 'part',
+  projection: 'perspective',
+  shadows: true,
+});
+
+/** One test a field: what may come back from storage. */
+const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean } = {
+  theme: oneOf('auto', 'light', 'dark'),
+  autoSolve: (value) => typeof value === 'boolean',
+  preset: (value) => typeof value === 'string' && value.length < 60,
+  seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
+  advanced: (value) => typeof value === 'string' && value.length < 4000,
+  show: oneOf('sketch', 'both', 'model'),
+  colourBy: oneOf('part', 'class', 'layer', 'component', 'piece'),
+  projection: oneOf('perspective', 'orthographic'),
+  shadows: (value) => typeof value === 'boolean',
+};
+
+/** The part of the browser's storage that is used here. */
+export type TextStorage = Pick<Storage, 'getItem' | 'setItem'>;
+
+const KEY = 'liftarm/preferences';
+
+/** Every stored field that is acceptable, the default for the rest. */
+export function readPreferences(text: string | null): Preferences {
+  let stored: unknown;
+  try {
+    stored = JSON.parse(text ?? '{}');
+  } catch {
+    stored = {};
+  }
+  if (typeof stored !== 'object' || stored === null) {
+    return PREFERENCE_DEFAULTS;
+  }
+  const accepted = Object.entries(stored).filter(
+    ([key, value]) => key in ACCEPTS && ACCEPTS[key as keyof Preferences](value),
+  );
+  return { ...PREFERENCE_DEFAULTS, ...Object.fromEntries(accepted) };
+}
+
+/** The preferences as a signal that writes itself back. A storage that refuses is not an error. */
+export function keptPreferences(storage: TextStorage | null): Signal<Preferences> {
+  const preferences = signal(readPreferences(storage?.getItem(KEY) ?? null));
+  effect(() => {
+    const text = JSON.stringify(preferences.value);
+    try {
+      storage?.setItem(KEY, text);
+    } catch {
+      // Full or forbidden: the page works on, it only forgets.
+    }
+  });
+  return preferences;
+}
+
+/** The `set` of the solver's settings from lines of `key=value`; lines without `=` are left out. */
+export function parseAdvanced(text: string): Record<string, number | string | boolean> {
+  const result: Record<string, number | string | boolean> = {};
+  for (const row of text.split('\n')) {
+    const at = row.indexOf('=');
+    const key = row.slice(0, Math.max(0, at)).trim();
+    const value = row.slice(at + 1).trim();
+    if (at > 0 && key !== '' && value !== '') {
+      result[key] = typedValue(value);
+    }
+  }
+  return result;
+}
+
+function typedValue(text: string): number | string | boolean {
+  if (text === 'true' || text === 'false') {
+    return text === 'true';
+  }
+  const number = Number(text);
+  return Number.isFinite(number) ? number : text;
+}
+
+function oneOf(...allowed: readonly string[]): (value: unknown) => boolean {
+  return (value) => typeof value === 'string' && allowed.includes(value);
+}

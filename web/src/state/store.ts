@@ -1,0 +1,109 @@
+import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
+import { emptySketch, type SketchDocument } from '../model/sketch.ts';
+import { applyDelta, diffSketch, invertDelta, isEmptyDelta } from './delta.ts';
+import { EMPTY_HISTORY, type History, pushEntry, stepBack, stepForward } from './history.ts';
+
+/** How a change enters the history: at once, with the next one (a drag under way), or not at all. */
+export type Capture = 'now' | 'later' | 'never';
+
+/** Everything of the sketch that survives a reload. */
+export interface SavedSketch {
+  readonly sketch: SketchDocument;
+  readonly history: History;
+}
+
+/** The sketch on the page and its history. The only place where either changes. */
+export class SketchStore {
+  readonly #sketch = signal<SketchDocument>(emptySketch());
+  readonly #history = signal<History>(EMPTY_HISTORY);
+  readonly #selection = signal<ReadonlySet<number>>(new Set());
+  /** The sketch as the newest history entry left it; differs while a gesture is under way. */
+  #captured: SketchDocument = this.#sketch.value;
+
+  readonly sketch: ReadonlySignal<SketchDocument> = this.#sketch;
+  readonly history: ReadonlySignal<History> = this.#history;
+  /** Indices of the selected lines. */
+  readonly selection: ReadonlySignal<ReadonlySet<number>> = this.#selection;
+  readonly canUndo = computed(() => this.#history.value.past.length > 0);
+  readonly canRedo = computed(() => this.#history.value.future.length > 0);
+
+  /** Puts `next` in place of the sketch; `label` names the step for undo. */
+  commit(label: string, next: SketchDocument, capture: Capture = 'now'): void {
+    batch(() => {
+      if (next !== this.#sketch.value) {
+        this.#sketch.value = next;
+        this.#dropStaleSelection();
+      }
+      if (capture === 'later') {
+        return;
+      }
+      if (capture === 'now') {
+        const delta = diffSketch(this.#captured, next);
+        if (!isEmptyDelta(delta)) {
+          this.#history.value = pushEntry(this.#history.value, { label, delta });
+        }
+      }
+      this.#captured = next;
+    });
+  }
+
+  /** Drops what 'later' commits did since the last captured step. */
+  rollBack(): void {
+    if (this.#sketch.value !== this.#captured) {
+      this.#sketch.value = this.#captured;
+    }
+  }
+
+  /** @returns the label of what was undone, or null at the beginning. */
+  undo(): string | null {
+    this.rollBack();
+    const step = stepBack(this.#history.value);
+    if (!step) {
+      return null;
+    }
+    this.#move(applyDelta(this.#captured, invertDelta(step.entry.delta)), step.history);
+    return step.entry.label;
+  }
+
+  /** @returns the label of what was done again, or null at the end. */
+  redo(): string | null {
+    this.rollBack();
+    const step = stepForward(this.#history.value);
+    if (!step) {
+      return null;
+    }
+    this.#move(applyDelta(this.#captured, step.entry.delta), step.history);
+    return step.entry.label;
+  }
+
+  select(indices: Iterable<number>): void {
+    const count = this.#sketch.value.lines.length;
+    this.#selection.value = new Set([...indices].filter((i) => i >= 0 && i < count));
+  }
+
+  /** What must be written to survive a reload. A gesture under way is not in it. */
+  save(): SavedSketch {
+    return { sketch: this.#captured, history: this.#history.value };
+  }
+
+  restore(saved: SavedSketch): void {
+    this.#move(saved.sketch, saved.history);
+  }
+
+  #move(sketch: SketchDocument, history: History): void {
+    batch(() => {
+      this.#captured = sketch;
+      this.#sketch.value = sketch;
+      this.#history.value = history;
+      this.#selection.value = new Set();
+    });
+  }
+
+  #dropStaleSelection(): void {
+    const count = this.#sketch.value.lines.length;
+    const selection = this.#selection.value;
+    if ([...selection].some((i) => i >= count)) {
+      this.#selection.value = new Set([...selection].filter((i) => i < count));
+    }
+  }
+}
