@@ -1,0 +1,172 @@
+// `npm test`: set-up, then every check and every test, in the order of what fails fastest. Stops at the
+// first step that fails. Steps can be named: `node scripts/test.mjs lint native`.
+import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { relative, resolve } from 'node:path';
+import { build } from './build.mjs';
+import { capture, exitWith, freePort, localBin, run, StepError, TOP, timed } from './lib/run.mjs';
+import { setUp } from './setup.mjs';
+
+const RESULTS = resolve(TOP, 'build/test-results');
+const VITE_CONFIG = resolve(TOP, 'web/vite.config.ts');
+
+/** Passed, failed and skipped tests per runner, for the last line. */
+const counts = [];
+
+function readJson(file) {
+  return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : null;
+}
+
+/** Runs a test runner; whatever it ends with, its counts are read from the file that it wrote. */
+async function runner(name, file, { command, args, env = {}, read }) {
+  rmSync(file, { force: true });
+  try {
+    await run(command, args, { env });
+  } finally {
+    const count = existsSync(file) ? read(file) : { passed: 0, failed: 1, skipped: 0 };
+    counts.push({ name, ...count });
+  }
+  if (counts.at(-1).passed === 0) {
+    throw new StepError(`${name}: no test ran`);
+  }
+}
+
+function readCtest(file) {
+  const head = readFileSync(file, 'utf8').slice(0, 4000);
+  const field = (name) => Number(head.match(new RegExp(`\\b${name}="(\\d+)"`))?.[1] ?? 0);
+  const skipped = field('skipped') + field('disabled');
+  return {
+    passed: field('tests') - field('failures') - skipped,
+    failed: field('failures'),
+    skipped,
+  };
+}
+
+function readVitest(file) {
+  const { numPassedTests, numFailedTests, numPendingTests, numFailedTestSuites, success } =
+    readJson(file);
+  // A file that does not even load has no failed test of its own.
+  const failed = success ? 0 : Math.max(numFailedTests, Math.min(1, numFailedTestSuites));
+  return { passed: numPassedTests, failed, skipped: numPendingTests };
+}
+
+function readPlaywright(file) {
+  const { expected, unexpected, flaky, skipped } = readJson(file).stats;
+  return { passed: expected, failed: unexpected + flaky, skipped };
+}
+
+function checkFormat() {
+  const { stdout } = capture('git', [
+    'ls-files',
+    '--cached',
+    '--others',
+    '--exclude-standard',
+    'core/*.h',
+    'core/*.cpp',
+    'wasm/*.h',
+    'wasm/*.cpp',
+    'tests/*.h',
+    'tests/*.cpp',
+    ':!tests/checks/fixtures',
+  ]);
+  const files = stdout.split('\n').filter((file) => file && existsSync(resolve(TOP, file)));
+  return run('clang-format', ['--dry-run', '-Werror', ...files]);
+}
+
+const LINTS = {
+  'lint: layers and sizes': () => run(process.execPath, ['tests/checks/check-layers.mjs']),
+  'lint: clang-format': checkFormat,
+  'lint: Biome': () => run(localBin('biome'), ['check', '--error-on-warnings', '.']),
+  'lint: TypeScript': async () => {
+    await run(localBin('tsc'), ['-p', '.']);
+    await run(localBin('tsc'), ['-p', 'web/src/solver']);
+  },
+};
+
+async function testNative() {
+  await timed('native build', () => build('native'));
+  const junit = resolve(RESULTS, 'ctest.xml');
+  await timed('native tests', () =>
+    runner('native', junit, {
+      command: 'ctest',
+      args: ['--preset', 'native', '--progress', '--output-junit', junit],
+      read: readCtest,
+    }),
+  );
+}
+
+async function testUnits() {
+  const json = resolve(RESULTS, 'vitest.json');
+  await timed('Vitest', () =>
+    runner('vitest', json, {
+      command: localBin('vitest'),
+      args: [
+        'run',
+        '--config',
+        VITE_CONFIG,
+        '--reporter=default',
+        '--reporter=json',
+        `--outputFile.json=${json}`,
+      ],
+      read: readVitest,
+    }),
+  );
+}
+
+async function testPage() {
+  await timed('build of the page', () => build('web'));
+  const json = resolve(RESULTS, 'playwright.json');
+  const port = await freePort(4317);
+  await timed('browser tests', () =>
+    runner('browser', json, {
+      command: localBin('playwright'),
+      args: ['test', '--reporter=list,json'],
+      env: { PLAYWRIGHT_JSON_OUTPUT_FILE: json, LIFTARM_E2E_PORT: `${port}` },
+      read: readPlaywright,
+    }),
+  );
+}
+
+const STEPS = {
+  setup: () => timed('set-up', () => setUp({ forTests: true })),
+  lint: async () => {
+    for (const [title, work] of Object.entries(LINTS)) {
+      await timed(title, work);
+    }
+  },
+  native: testNative,
+  wasm: () => timed('WebAssembly build', () => build('wasm')),
+  unit: testUnits,
+  page: testPage,
+};
+
+function printSummary() {
+  const sum = (key) => counts.reduce((total, count) => total + count[key], 0);
+  console.log('');
+  for (const { name, passed, failed, skipped } of counts) {
+    console.log(`${name.padEnd(8)} ${passed} passed, ${failed} failed, ${skipped} skipped`);
+  }
+  console.log(`${sum('passed')} passed, ${sum('failed')} failed`);
+}
+
+const wanted = process.argv.slice(2);
+const unknown = wanted.filter((name) => !(name in STEPS));
+if (unknown.length > 0) {
+  exitWith(new StepError(`no step '${unknown[0]}'; there are: ${Object.keys(STEPS).join(', ')}`));
+}
+mkdirSync(RESULTS, { recursive: true });
+const start = performance.now();
+let failure = null;
+for (const name of wanted.length > 0 ? wanted : Object.keys(STEPS)) {
+  try {
+    await STEPS[name]();
+  } catch (error) {
+    failure = error;
+    console.error(`\nFAILED in step '${name}' (results in ${relative(TOP, RESULTS)}/)`);
+    break;
+  }
+}
+console.log(`\nAll in all ${((performance.now() - start) / 1000).toFixed(0)} s`);
+printSummary();
+if (failure !== null) {
+  exitWith(failure);
+}
