@@ -52,22 +52,16 @@ export function diffList<T>(before: readonly T[], after: readonly T[]): Splice<T
 
 /** The delta that turns `before` into `after`. */
 export function diffSketch(before: SketchDocument, after: SketchDocument): SketchDelta {
-  const delta: Mutable<SketchDelta> = {};
-  const lines = diffList(before.lines, after.lines);
-  if (lines) delta.lines = lines;
-  const joints = diffList(before.joints ?? [], after.joints ?? []);
-  if (joints) delta.joints = joints;
-  const symmetries = diffList(before.symmetries ?? [], after.symmetries ?? []);
-  if (symmetries) delta.symmetries = symmetries;
-  const keepOut = diffList(before.keepOut ?? [], after.keepOut ?? []);
-  if (keepOut) delta.keepOut = keepOut;
-  if (before.name !== after.name) {
-    delta.name = { before: before.name ?? null, after: after.name ?? null };
-  }
-  if (before.ground !== after.ground) {
-    delta.ground = { before: before.ground ?? null, after: after.ground ?? null };
-  }
-  return delta;
+  const delta = {
+    lines: diffList(before.lines, after.lines),
+    joints: diffList(before.joints ?? [], after.joints ?? []),
+    symmetries: diffList(before.symmetries ?? [], after.symmetries ?? []),
+    keepOut: diffList(before.keepOut ?? [], after.keepOut ?? []),
+    name: diffValue(before.name, after.name),
+    ground: diffValue(before.ground, after.ground),
+  };
+  // A field that did not change is left out, so that an empty delta is an empty object.
+  return Object.fromEntries(Object.entries(delta).filter(([, change]) => change !== undefined));
 }
 
 /** True when the delta changes nothing. */
@@ -129,6 +123,10 @@ function setList<K extends ListKey>(
     return;
   }
   sketch[key] = list;
+}
+
+function diffValue<T>(before: T | undefined, after: T | undefined): Change<T> | undefined {
+  return before === after ? undefined : { before: before ?? null, after: after ?? null };
 }
 
 function applySplice<T>(list: readonly T[], splice: Splice<T>): T[] {

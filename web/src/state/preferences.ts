@@ -9,9 +9,8 @@ export interface Preferences {
   /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
   readonly advanced: string;
   readonly show: 'sketch' | 'both' | 'model';
-  readonly colourBy: 'part' | 'class' | 'layer' | 'component' | 'piece';
+  readonly colourBy: 'part' | 'layer' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
-  readonly shadows: boolean;
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
@@ -23,7 +22,6 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   show: 'both',
   colourBy: 'part',
   projection: 'perspective',
-  shadows: true,
 });
 
 /** One test a field: what may come back from storage. */
@@ -34,9 +32,8 @@ const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean 
   seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
   advanced: (value) => typeof value === 'string' && value.length < 4000,
   show: oneOf('sketch', 'both', 'model'),
-  colourBy: oneOf('part', 'class', 'layer', 'component', 'piece'),
+  colourBy: oneOf('part', 'layer', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
-  shadows: (value) => typeof value === 'boolean',
 };
 
 /** The part of the browser's storage that is used here. */

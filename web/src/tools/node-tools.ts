@@ -1,0 +1,142 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import { lineVector, pointKey, type SketchDocument, type SketchJoint } from '../model/sketch.ts';
+import { cross, length, normalize, type Vec3 } from '../model/vec.ts';
+import { addJoint, removeJoint, splitAt } from '../state/edits.ts';
+import type { Navigation, NodePick } from '../view/view-types.ts';
+import {
+  EMPTY_OVERLAY,
+  type PointerInput,
+  type Tool,
+  type ToolContext,
+  type ToolId,
+  type ToolOverlay,
+} from './tool.ts';
+
+const NODE_PIXELS = 14;
+const DRAG_PIXELS = 6;
+
+/** A tool that does one thing to the node that is clicked. */
+abstract class NodeTool implements Tool {
+  abstract readonly id: ToolId;
+  abstract readonly hint: ReadonlySignal<string>;
+  protected readonly context: ToolContext;
+  readonly #overlay = signal<ToolOverlay>(EMPTY_OVERLAY);
+  readonly overlay: ReadonlySignal<ToolOverlay> = this.#overlay;
+  #pressedAt: PointerInput | null = null;
+
+  constructor(context: ToolContext) {
+    this.context = context;
+  }
+
+  protected abstract apply(node: NodePick): void;
+
+  navigation(at: PointerInput): Navigation {
+    return this.#nodeAt(at) ? 'tool' : 'orbit';
+  }
+
+  pointerMove(at: PointerInput): void {
+    const node = this.#nodeAt(at);
+    this.#overlay.value = { ...EMPTY_OVERLAY, cursor: node?.at ?? null };
+  }
+
+  pointerDown(at: PointerInput): void {
+    this.#pressedAt = at;
+  }
+
+  pointerUp(at: PointerInput): void {
+    const pressed = this.#pressedAt;
+    this.#pressedAt = null;
+    const node = this.#nodeAt(at);
+    if (node && pressed && Math.hypot(at.x - pressed.x, at.y - pressed.y) <= DRAG_PIXELS) {
+      this.apply(node);
+    }
+  }
+
+  pointerLeave(): void {
+    this.#overlay.value = EMPTY_OVERLAY;
+  }
+
+  key(): boolean {
+    return false;
+  }
+
+  escape(): boolean {
+    return false;
+  }
+
+  reset(): void {
+    this.#overlay.value = EMPTY_OVERLAY;
+  }
+
+  #nodeAt(at: PointerInput): NodePick | null {
+    const node = this.context.view.pickAt(at).node;
+    return node && node.distance <= NODE_PIXELS ? node : null;
+  }
+}
+
+/** Cuts every line through the clicked node in two there. */
+export class SplitTool extends NodeTool {
+  readonly id = 'split';
+  readonly hint = signal(this.context.words.hints.split);
+
+  protected apply(node: NodePick): void {
+    const { store, words } = this.context;
+    let sketch = store.sketch.value;
+    for (const index of node.lines) {
+      sketch = splitAt(sketch, index, node.at);
+    }
+    store.commit(words.edits.split, sketch);
+  }
+}
+
+/** Sets a joint at the clicked junction, or takes it away. */
+export class JointTool extends NodeTool {
+  readonly id = 'joint';
+  readonly hint = signal(this.context.words.hints.joint);
+
+  protected apply(node: NodePick): void {
+    const { store, words } = this.context;
+    const sketch = store.sketch.value;
+    const known = sketch.joints?.some((joint) => pointKey(joint.at) === pointKey(node.at));
+    if (known) {
+      store.commit(words.edits.joint, removeJoint(sketch, node.at));
+      return;
+    }
+    const joint = jointAt(sketch, node.at, node.lines);
+    if (joint) {
+      store.commit(words.edits.joint, addJoint(sketch, joint));
+    }
+  }
+}
+
+/**
+ * The joint that a click at a junction means: lines of one direction turn against the others, about
+ * the axis square to both. Null where fewer than two directions meet.
+ */
+export function jointAt(
+  sketch: SketchDocument,
+  at: Vec3,
+  through: readonly number[],
+): SketchJoint | null {
+  const directions = through.flatMap((index) => {
+    const line = sketch.lines[index];
+    return line ? [{ index, direction: normalize(lineVector(line)) }] : [];
+  });
+  const first = directions[0];
+  if (!first) {
+    return null;
+  }
+  const parallel = (d: Vec3) => length(cross(d, first.direction)) < 1e-3;
+  const other = directions.find(({ direction }) => !parallel(direction));
+  if (!other) {
+    return null;
+  }
+  const axis = normalize(cross(first.direction, other.direction));
+  if (directions.length === 2) {
+    return { at, axis };
+  }
+  const same = directions.filter(({ direction }) => parallel(direction));
+  const rest = directions.filter(({ direction }) => !parallel(direction));
+  const indices = (group: typeof directions) => group.map(({ index }) => index);
+  return { at, axis, between: [indices(same), indices(rest)] };
+}

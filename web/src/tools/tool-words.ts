@@ -1,0 +1,37 @@
+import type { SnapKind } from '../view/view-types.ts';
+import type { ToolId } from './tool.ts';
+
+/** The words that tools say; the page's text table fits it. */
+export interface ToolWords {
+  readonly hints: Readonly<Record<ToolId, string>> & {
+    readonly lineNext: string;
+    readonly rectangleNext: string;
+    readonly boxNext: string;
+    readonly boxHeight: string;
+    readonly gridNext: string;
+    readonly hexagonNext: string;
+    readonly keepOutNext: string;
+    readonly keepOutHeight: string;
+  };
+  readonly snap: Readonly<Record<SnapKind, string>>;
+  readonly draw: {
+    readonly cursorAt: string;
+    readonly lineDrawn: string;
+    readonly noWholeLength: string;
+  };
+  readonly edits: {
+    readonly draw: string;
+    readonly move: string;
+    readonly split: string;
+    readonly joint: string;
+    readonly keepOut: string;
+  };
+}
+
+/** Puts values into the places `{name}` of a sentence. */
+export function fillWords(
+  sentence: string,
+  values: Readonly<Record<string, string | number>>,
+): string {
+  return sentence.replace(/\{(\w+)\}/g, (whole, key: string) => String(values[key] ?? whole));
+}

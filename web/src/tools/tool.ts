@@ -1,0 +1,114 @@
+import type { ReadonlySignal } from '@preact/signals';
+import type { AxisName, Vec3 } from '../model/vec.ts';
+import type { SketchStore } from '../state/store.ts';
+import type {
+  GuidePlane,
+  LinePreview,
+  Navigation,
+  Pick,
+  Projected,
+  Ray,
+  ScreenPoint,
+  SnapKind,
+} from '../view/view-types.ts';
+import type { ToolWords } from './tool-words.ts';
+
+/** What a tool needs of the view; the scene gives it, tests give a flat stand-in. */
+export interface ToolView {
+  rayAt(at: ScreenPoint): Ray;
+  project(point: Vec3): Projected;
+  pickAt(at: ScreenPoint): Pick;
+  /** From the eye into the picture, unit length. */
+  viewDirection(): Vec3;
+}
+
+/** Which plane is drawn on: chosen by the view, or fixed by its normal axis. */
+export type PlaneMode = 'auto' | AxisName;
+
+/** One press, move or release of the first button, a pen or one finger. */
+export interface PointerInput extends ScreenPoint {
+  readonly shift: boolean;
+  readonly kind: 'mouse' | 'pen' | 'touch';
+}
+
+/** A key as the browser names it. */
+export interface KeyInput {
+  readonly key: string;
+  readonly shift: boolean;
+}
+
+/** A short text at a point of space: the length of the line, and why it snaps. */
+export interface OverlayLabel {
+  readonly at: Vec3;
+  readonly main: string;
+  readonly note: string;
+  readonly kind: SnapKind | 'invalid';
+}
+
+/** What a tool shows over the scene. */
+export interface ToolOverlay {
+  readonly plane: GuidePlane | null;
+  /** Where the next point would be placed. */
+  readonly cursor: Vec3 | null;
+  readonly preview: LinePreview | null;
+  readonly label: OverlayLabel | null;
+  readonly hovered: number | null;
+  /** A selection box in pixels. */
+  readonly box: { readonly from: ScreenPoint; readonly to: ScreenPoint } | null;
+  /** Typed digits, shown in the length field. */
+  readonly typed: string;
+  readonly lock: AxisName | null;
+}
+
+export const EMPTY_OVERLAY: ToolOverlay = {
+  plane: null,
+  cursor: null,
+  preview: null,
+  label: null,
+  hovered: null,
+  box: null,
+  typed: '',
+  lock: null,
+};
+
+/** What all tools work with. */
+export interface ToolContext {
+  readonly store: SketchStore;
+  readonly view: ToolView;
+  readonly plane: ReadonlySignal<PlaneMode>;
+  readonly nextPlane: () => void;
+  /** Says something to people who do not see the picture. */
+  readonly announce: (message: string) => void;
+  readonly words: ToolWords;
+}
+
+export type ToolId =
+  | 'select'
+  | 'line'
+  | 'rectangle'
+  | 'box'
+  | 'grid'
+  | 'hexagon'
+  | 'split'
+  | 'joint'
+  | 'keepOut';
+
+/** One way of working with the pointer and the keyboard. One file each. */
+export interface Tool {
+  readonly id: ToolId;
+  readonly overlay: ReadonlySignal<ToolOverlay>;
+  /** One sentence: what to do next. */
+  readonly hint: ReadonlySignal<string>;
+  /** Who gets a press at this place: the tool, or the camera. */
+  navigation(at: PointerInput): Navigation;
+  pointerMove(at: PointerInput): void;
+  pointerDown(at: PointerInput): void;
+  pointerUp(at: PointerInput): void;
+  pointerLeave(): void;
+  /** @returns true when the key was used. */
+  key(input: KeyInput): boolean;
+  /** Steps back one thing. @returns false when there was nothing to step back from. */
+  escape(): boolean;
+  /** Forgets everything under way. */
+  reset(): void;
+}
