@@ -1,0 +1,87 @@
+// The table of what JavaScript may call (hand-written twin: web/src/solver/solver-module.ts). Text
+// in, text out, no logic; strings cross as copies, so memory growth cannot invalidate them.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <emscripten/bind.h>
+
+#include "base/status.h"
+#include "design/design_session.h"
+#include "wasm/contract.h"
+
+namespace {
+
+using liftarm::base::Result;
+using liftarm::base::Status;
+using liftarm::design::DesignSession;
+
+//! \brief A text with status "ok", or the message that says why there is none.
+struct SolverReply {
+  std::string status;
+  std::string text;
+};
+
+//! \brief A session or the message that says why there is none: a value, because a C++ exception
+//! would reach JavaScript without its text.
+class SolverSession {
+ public:
+  SolverSession(const std::string& sketchJson, const std::string& settingsJson) {
+    auto created = DesignSession::create(sketchJson, settingsJson);
+    if (created.ok()) {
+      session_ = std::move(created).value();
+    } else {
+      reply_ = {liftarm::wasm::statusName(created.error().status), created.error().message};
+    }
+  }
+
+  //! \return Status "ok" and no text, or why the input is refused; then nothing else may be called.
+  [[nodiscard]] SolverReply opened() const { return reply_; }
+
+  bool advance(std::uint32_t iterations) { return session_->advance(iterations); }
+
+  [[nodiscard]] std::string progressJson() const { return session_->progressJson(); }
+
+  [[nodiscard]] std::string modelJson() const { return session_->modelJson(); }
+
+  [[nodiscard]] std::string reportJson() const { return session_->reportJson(); }
+
+ private:
+  std::unique_ptr<DesignSession> session_;
+  SolverReply reply_{liftarm::wasm::statusName(Status::kOk), ""};
+};
+
+SolverReply toReply(const Result<std::string>& result) {
+  if (result.ok()) {
+    return {liftarm::wasm::statusName(Status::kOk), result.value()};
+  }
+  return {liftarm::wasm::statusName(result.error().status), result.error().message};
+}
+
+SolverReply checkModelJson(const std::string& modelJson) {
+  return toReply(liftarm::design::checkModelJson(modelJson));
+}
+
+SolverReply exportModel(const std::string& modelJson, const std::string& format) {
+  return toReply(liftarm::design::exportModel(modelJson, format));
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(liftarm) {
+  emscripten::value_object<SolverReply>("SolverReply")
+      .field("status", &SolverReply::status)
+      .field("text", &SolverReply::text);
+  emscripten::class_<SolverSession>("SolverSession")
+      .constructor<const std::string&, const std::string&>()
+      .function("opened", &SolverSession::opened)
+      .function("advance", &SolverSession::advance)
+      .function("progressJson", &SolverSession::progressJson)
+      .function("modelJson", &SolverSession::modelJson)
+      .function("reportJson", &SolverSession::reportJson);
+  emscripten::function("checkModelJson", &checkModelJson);
+  emscripten::function("exportModel", &exportModel);
+  emscripten::function("contractJson", &liftarm::wasm::contractJson);
+}

@@ -1,0 +1,51 @@
+/**
+ * What the WebAssembly module offers: the hand-written twin of wasm/bindings.cpp (this Emscripten makes
+ * no declarations). tests/contract/ compares the two.
+ */
+
+/** The names of base::Status in C++, in its order. */
+export const SOLVER_STATUSES = [
+  'ok',
+  'invalidInput',
+  'unsupported',
+  'infeasible',
+  'singular',
+  'cancelled',
+] as const;
+
+export type SolverStatus = (typeof SOLVER_STATUSES)[number];
+
+/** A text with status 'ok', or the message that says why there is none. */
+export interface SolverReply {
+  readonly status: SolverStatus;
+  readonly text: string;
+}
+
+/** A stepped search. Lives in the module's memory until `delete()`. */
+export interface SolverSession {
+  /** Status 'ok', or why the input is refused; then only `delete()` may be called. */
+  opened(): SolverReply;
+  /** Does at most so many steps; true when the search has ended. */
+  advance(iterations: number): boolean;
+  progressJson(): string;
+  modelJson(): string;
+  reportJson(): string;
+  delete(): void;
+}
+
+export interface SolverModule {
+  readonly SolverSession: new (sketchJson: string, settingsJson: string) => SolverSession;
+  checkModelJson(modelJson: string): SolverReply;
+  exportModel(modelJson: string, format: string): SolverReply;
+  contractJson(): string;
+}
+
+/** What the loader of the module (build/wasm/liftarm-core.js) takes. */
+export interface SolverModuleOptions {
+  readonly wasmBinary?: Uint8Array;
+  readonly locateFile?: (name: string) => string;
+  /** A line that the module writes to stderr: the place of a failed check. */
+  readonly printErr?: (line: string) => void;
+}
+
+export type CreateSolverModule = (options: SolverModuleOptions) => Promise<SolverModule>;
