@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lattice/vec.h"
@@ -31,10 +32,10 @@ struct Symmetry {
   enum class Kind { kReflection, kTranslation };
 
   Kind kind = Kind::kReflection;
-  lattice::Vec3 normal;
-  double offset = 0.0;
-  std::vector<int> lines;  //!< reflection: empty means all
-  lattice::Vec3 vector;
+  lattice::Vec3 normal;                    //!< reflection: unit length
+  double offset = 0.0;                     //!< reflection: modules along the normal
+  std::vector<int> lines;                  //!< reflection: empty means all
+  lattice::Vec3 vector;                    //!< translation: modules
   std::vector<std::pair<int, int>> pairs;  //!< translation: line, image
 };
 
@@ -52,6 +53,10 @@ struct Sketch {
   std::vector<Symmetry> symmetries;
   std::vector<KeepOut> keepOut;
   std::optional<double> ground;
+
+  //! What snapping could not mend: the largest | |to - from| - length | in modules. Not part of the
+  //! file.
+  double residual = 0.0;
 };
 
 }  // namespace liftarm::sketch

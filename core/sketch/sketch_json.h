@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -11,14 +12,19 @@ namespace liftarm::sketch {
 //! Limits, checked before anything else is done with the input.
 inline constexpr std::size_t kMaxSketchBytes = 8U << 20U;
 inline constexpr std::size_t kMaxLines = 20000;
-inline constexpr double kMaxCoordinate = 2000.0;  //!< modules, in magnitude
-inline constexpr int kMaxTotalLength = 100000;    //!< modules over all lines
+inline constexpr double kMaxCoordinate = 2000.0;       //!< modules, in magnitude
+inline constexpr int kMaxTotalLength = 100000;         //!< modules over all lines
+inline constexpr std::size_t kMaxAnnotations = 10000;  //!< joints, symmetries and boxes, each
+inline constexpr std::size_t kMaxJointLines = 20000;   //!< lines named by all joints together
+inline constexpr std::size_t kMaxNameBytes = 200;
 inline constexpr double kLengthTolerance = 0.05;  //!< modules off a whole length that are snapped
 
-//! \brief Reads a sketch (DESIGN 3) and snaps its lines to whole lengths.
-//! \param json The file's text, at most kMaxSketchBytes.
-//! \return The sketch, or kInvalidInput with one message that names the place and what would be
-//! right,
+//! \brief Reads a sketch (DESIGN 3) and snaps its lines to whole lengths (snap.h).
+//! \details Strict: a key that the format does not know is refused, because it is most likely
+//! misspelt. Lines that overlap or stand twice are legal. A joint lies at a node of its lines, and
+//! is moved with that node when snapping moves it; so is a ground on which the lowest end point
+//! stood. \param json The file's text, at most kMaxSketchBytes. \return The sketch, or
+//! kInvalidInput with one message that names the place and what would be right,
 //!         such as `lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5`.
 base::Result<Sketch> readSketch(std::string_view json);
 
