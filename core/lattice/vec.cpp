@@ -4,20 +4,19 @@ namespace liftarm::lattice {
 
 namespace {
 
+//! \brief The six signed axes in the order +x, -x, +y, -y, +z, -z.
+Vec3 signedAxis(int i) {
+  return (i % 2 == 0 ? 1.0 : -1.0) * unitVector(axisFromIndex(i / 2));
+}
+
 std::array<Mat3, 24> makeLatticeRotations() {
   std::array<Mat3, 24> all;
   std::size_t count = 0;
-  for (int ix = 0; ix < 3; ++ix) {
-    for (int sx = 1; sx >= -1; sx -= 2) {
-      for (int iy = 0; iy < 3; ++iy) {
-        for (int sy = 1; sy >= -1; sy -= 2) {
-          if (iy == ix) {
-            continue;
-          }
-          const Vec3 x = static_cast<double>(sx) * unitVector(axisFromIndex(ix));
-          const Vec3 y = static_cast<double>(sy) * unitVector(axisFromIndex(iy));
-          all[count++] = fromColumns(x, y, cross(x, y));
-        }
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      if (i / 2 != j / 2) {
+        all[count++] =
+            fromColumns(signedAxis(i), signedAxis(j), cross(signedAxis(i), signedAxis(j)));
       }
     }
   }
