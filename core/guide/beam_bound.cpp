@@ -1,0 +1,36 @@
+#include "guide/beam_bound.h"
+
+#include <algorithm>
+
+namespace liftarm::guide {
+
+int fewestBeams(const GuideRun& run, const std::vector<bool>& bridged) {
+  const int edges = run.edgeCount();
+  int beams = 0;
+  int next = 0;
+  while (next < edges) {
+    const auto here = static_cast<std::size_t>(next);
+    if (bridged[here] || bridged[here + 1]) {
+      ++next;
+      continue;
+    }
+    ++beams;
+    next += kLongestBeam;
+  }
+  return std::max(beams, 1);
+}
+
+int beamsLowerBound(const GuidingGraph& graph) {
+  int total = 0;
+  for (const GuideRun& run : graph.runs) {
+    std::vector<bool> bridged(run.nodes.size(), false);
+    for (std::size_t j = 0; j < run.junctions.size(); ++j) {
+      const Junction& junction = graph.junctions[static_cast<std::size_t>(run.junctions[j])];
+      bridged[static_cast<std::size_t>(run.junctionIndices[j])] = junction.bridgeable;
+    }
+    total += fewestBeams(run, bridged);
+  }
+  return total;
+}
+
+}  // namespace liftarm::guide

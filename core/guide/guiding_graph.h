@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lattice/vec.h"
+#include "sketch/arrangement.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::guide {
+
+//! \brief A run with what the search asks of it: which hole axes it may have, where it may not be passed.
+struct GuideRun {
+  lattice::Vec3 direction;
+  std::vector<int> nodes;                  //!< node ids; nodes.size() - 1 unit edges
+  std::vector<lattice::Axis> axes;         //!< hole axes that a beam on it may have, at least one
+  bool exact = false;                      //!< every beam must lie on the line (layer 0)
+  int piece = 0;
+  std::vector<int> junctions;              //!< junction ids, in order along the run
+  std::vector<int> junctionIndices;        //!< their indices among `nodes`
+  std::vector<int> near;                   //!< other runs that a beam of this one could touch
+
+  [[nodiscard]] int edgeCount() const { return static_cast<int>(nodes.size()) - 1; }
+};
+
+//! \brief Where a run meets a junction.
+struct Incidence {
+  int run = -1;
+  int index = 0;   //!< of the node in the run
+};
+
+//! \brief A node where runs meet or cross, or where a joint splits a run.
+struct Junction {
+  int node = -1;
+  std::vector<Incidence> incident;
+  int joint = -1;                   //!< index of the joint here, or -1
+  bool bridgeable = false;          //!< no hole axis serves all its runs: a mechanism may bridge edges here
+  std::vector<int> nearRuns;        //!< runs whose beams could stand near, the incident ones included
+  std::vector<int> nearJunctions;   //!< junctions whose mechanisms could touch this one's
+};
+
+//! \brief A joint: the groups of runs that must turn against each other about the axis.
+struct GuideJoint {
+  int node = -1;
+  lattice::Axis axis = lattice::Axis::kY;
+  std::vector<std::vector<int>> runGroups;
+};
+
+//! \brief The guiding graph: nodes one unit apart on all lines, unit edges between them (paper 4.2), held
+//! as straight runs, since beams are straight.
+struct GuidingGraph {
+  std::vector<lattice::Vec3> nodes;
+  std::vector<int> degrees;                //!< unit edges at each node
+  std::vector<GuideRun> runs;
+  std::vector<Junction> junctions;
+  std::vector<GuideJoint> joints;
+  std::vector<sketch::KeepOut> keepOut;
+  std::optional<double> ground;
+  int edges = 0;
+  int pieces = 0;
+  int lines = 0;
+};
+
+//! \brief Farthest layer from its line that a beam may have.
+inline constexpr int kMaxLayer = 2;
+
+//! \brief Builds the guiding graph of a sketch.
+//! \details A run is split where its edges have different fixed hole axes or exactness, and at joints
+//! whose groups lie on both sides, so that no beam can pass there (paper 5.1).
+GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch);
+
+}  // namespace liftarm::guide

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "guide/guiding_graph.h"
+#include "lattice/vec.h"
+#include "layout/stadium.h"
+
+namespace liftarm::layout {
+
+//! \brief A straight beam in use on a run: holes at the run's nodes start .. start + holes - 1.
+//! It may stick out past the run's ends by one module.
+struct Beam {
+  int start = 0;
+  int holes = 2;
+  int layer = 0;
+
+  [[nodiscard]] int last() const { return start + holes - 1; }
+
+  friend bool operator==(const Beam& a, const Beam& b) {
+    return a.start == b.start && a.holes == b.holes && a.layer == b.layer;
+  }
+};
+
+//! \brief All beams of one run, by their start, with their common hole axis.
+struct Cover {
+  lattice::Axis axis = lattice::Axis::kX;
+  std::vector<Beam> beams;
+
+  friend bool operator==(const Cover& a, const Cover& b) {
+    return a.axis == b.axis && a.beams == b.beams;
+  }
+};
+
+//! \brief Middle of the hole at a run's node index on a layer, world.
+inline lattice::Vec3 holePosition(const guide::GuidingGraph& graph, const guide::GuideRun& run,
+                                  lattice::Axis axis, double index, int layer) {
+  const lattice::Vec3 first = graph.nodes[static_cast<std::size_t>(run.nodes.front())];
+  return first + index * run.direction + static_cast<double>(layer) * lattice::unitVector(axis);
+}
+
+inline Stadium stadiumOf(const guide::GuidingGraph& graph, const guide::GuideRun& run,
+                         lattice::Axis axis, const Beam& beam) {
+  return {holePosition(graph, run, axis, beam.start, beam.layer),
+          holePosition(graph, run, axis, beam.last(), beam.layer),
+          axis};
+}
+
+//! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those that both have
+//! and that are no junction (junctions are pinned by their own group), the first and the last.
+//! \return Node indices; empty when all shared nodes are junctions.
+std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
+
+//! \brief Number of real parts that a beam of this many holes is made of: two thin ones for 4 and 6.
+int partsOfBeam(int holes);
+
+}  // namespace liftarm::layout

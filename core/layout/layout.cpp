@@ -1,0 +1,313 @@
+#include "layout/layout.h"
+
+#include <algorithm>
+
+#include "base/check.h"
+#include "base/hash.h"
+#include "mechanisms/mechanism_table.h"
+
+namespace liftarm::layout {
+
+namespace {
+
+using lattice::Axis;
+using lattice::Cell;
+
+constexpr int kMostInStack = 3;   // one pin of three modules holds no more
+
+std::size_t at(int id) { return static_cast<std::size_t>(id); }
+
+}  // namespace
+
+LayoutProblem makeLayoutProblem(guide::GuidingGraph graph) {
+  LayoutProblem problem;
+  problem.views = buildLocalViews(graph);
+  problem.seenBy.resize(graph.runs.size());
+  for (std::size_t j = 0; j < problem.views.size(); ++j) {
+    for (std::size_t v = 0; v < problem.views[j].runs.size(); ++v) {
+      problem.seenBy[at(problem.views[j].runs[v].run)].emplace_back(static_cast<int>(j),
+                                                                   static_cast<int>(v));
+    }
+  }
+  problem.graph = std::move(graph);
+  return problem;
+}
+
+Layout::Layout(const LayoutProblem& problem, ConnectionSolver& solver)
+    : problem_(&problem),
+      solver_(&solver),
+      runs_(problem.graph.runs.size()),
+      junctions_(problem.graph.junctions.size()),
+      junctionWeights_(problem.graph.junctions.size(), 1.0),
+      runWeights_(problem.graph.runs.size(), 1.0),
+      runSaved_(problem.graph.runs.size(), 0),
+      junctionSaved_(problem.graph.junctions.size(), 0),
+      stale_(problem.graph.junctions.size(), 0) {
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    runs_[r].cover.axis = problem.graph.runs[r].axes.front();
+  }
+}
+
+void Layout::addRun(const RunState& state, int run, int sign) {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  for (std::size_t b = 0; b < state.cover.beams.size(); ++b) {
+    const Beam& beam = state.cover.beams[b];
+    tallies_.beams += sign * partsOfBeam(beam.holes);
+    tallies_.holes += sign * beam.holes;
+    tallies_.layerSquares += sign * beam.holes * beam.layer * beam.layer;
+    tallies_.overhang +=
+        sign * ((beam.start < 0 ? 1 : 0) + (beam.last() > guideRun.edgeCount() ? 1 : 0));
+    if (b > 0) {
+      const Beam& before = state.cover.beams[b - 1];
+      const int shared = before.last() - beam.start + 1;
+      const auto pins = static_cast<int>(inlinePins(guideRun, before, beam).size());
+      tallies_.hinges += sign * (shared == 1 ? 1 : 0);
+      tallies_.connectors += sign * pins;
+      tallies_.mechanisms += sign * pins;
+      tallies_.mechanismHeads += sign * 2 * pins;
+      tallies_.mechanismCells += sign * 2 * pins;
+      tallies_.pinHeadRatios += static_cast<double>(sign * pins);
+      tallies_.connectionCost += static_cast<double>(sign * pins);
+    }
+  }
+  tallies_.forbidden += sign * state.forbidden;
+  weighted_ += static_cast<double>(sign * state.forbidden) * runWeights_[at(run)];
+}
+
+void Layout::addJunction(const JunctionState& state, int junction, int sign) {
+  tallies_.gaps += sign * state.gaps;
+  tallies_.overfull += sign * state.overfull;
+  tallies_.failedConnections += sign * state.connection.failed;
+  tallies_.connectionCost += static_cast<double>(sign) * state.connection.cost;
+  for (const PlacedMechanism& placed : state.connection.mechanisms) {
+    const mechanisms::OrientedMechanism& m = table().oriented(placed.oriented);
+    tallies_.connectors += sign * static_cast<int>(m.shape.parts.size());
+    tallies_.mechanisms += sign;
+    tallies_.mechanismHeads += sign * m.heads;
+    tallies_.mechanismCells += sign * static_cast<int>(m.shape.cells.size());
+    tallies_.pinHeadRatios += static_cast<double>(sign) * m.shape.pinHeadRatio();
+  }
+  weighted_ += static_cast<double>(sign * state.violations()) * junctionWeights_[at(junction)];
+}
+
+int Layout::collisionsWith(int run, const Cover& cover, int other) const {
+  const guide::GuidingGraph& graph = problem_->graph;
+  const Cover& otherCover = runs_[at(other)].cover;
+  int pairs = 0;
+  for (const Beam& beam : cover.beams) {
+    const Stadium mine = stadiumOf(graph, graph.runs[at(run)], cover.axis, beam);
+    for (const Beam& otherBeam : otherCover.beams) {
+      pairs += overlap(mine, stadiumOf(graph, graph.runs[at(other)], otherCover.axis, otherBeam))
+                   ? 1
+                   : 0;
+    }
+  }
+  return pairs;
+}
+
+int Layout::forbiddenOf(int run, const Cover& cover) const {
+  const guide::GuidingGraph& graph = problem_->graph;
+  if (!graph.ground && graph.keepOut.empty()) {
+    return 0;
+  }
+  int count = 0;
+  for (const Beam& beam : cover.beams) {
+    for (int i = beam.start; i <= beam.last(); ++i) {
+      count += forbiddenAt(
+                   graph, holePosition(graph, graph.runs[at(run)], cover.axis, i, beam.layer))
+                   ? 1
+                   : 0;
+    }
+  }
+  return count;
+}
+
+void Layout::changeCollisions(int run, int delta) {
+  if (delta != 0) {
+    if (runSaved_[at(run)] == 0) {
+      runSaved_[at(run)] = 1;
+      savedRuns_.emplace_back(run, runs_[at(run)]);
+    }
+    runs_[at(run)].collisions += delta;
+    weighted_ += 0.5 * static_cast<double>(delta) * runWeights_[at(run)];
+  }
+}
+
+std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
+  std::uint64_t hash = static_cast<std::uint64_t>(lattice::index(cover.axis));
+  for (const Beam& beam : cover.beams) {
+    if (static_cast<double>(beam.last()) < view.low || static_cast<double>(beam.start) > view.high) {
+      continue;
+    }
+    const int first = std::max(beam.start, static_cast<int>(view.low) - 2);
+    const int last = std::min(beam.last(), static_cast<int>(view.high) + 2);
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(first + 4096));
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(last + 4096));
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.layer + 64));
+  }
+  return hash;
+}
+
+void Layout::setCover(int run, Cover cover) {
+  RunState& state = runs_[at(run)];
+  if (savedRuns_.empty() && savedJunctions_.empty()) {
+    savedTallies_ = tallies_;
+    savedWeighted_ = weighted_;
+  }
+  if (runSaved_[at(run)] == 0) {
+    runSaved_[at(run)] = 1;
+    savedRuns_.emplace_back(run, state);
+  }
+  for (const auto& [junction, viewIndex] : problem_->seenBy[at(run)]) {
+    const RunView& view = problem_->views[at(junction)].runs[at(viewIndex)];
+    if (stale_[at(junction)] == 0 && signature(view, state.cover) != signature(view, cover)) {
+      stale_[at(junction)] = 1;
+      staleList_.push_back(junction);
+    }
+  }
+  for (const int other : problem_->graph.runs[at(run)].near) {
+    if (runs_[at(other)].cover.beams.empty()) {
+      continue;
+    }
+    const int delta = collisionsWith(run, cover, other) - collisionsWith(run, state.cover, other);
+    tallies_.collisions += delta;
+    changeCollisions(other, delta);
+    changeCollisions(run, delta);
+  }
+  addRun(state, run, -1);
+  state.cover = std::move(cover);
+  state.forbidden = forbiddenOf(run, state.cover);
+  addRun(state, run, 1);
+}
+
+void Layout::saveJunction(int junction) {
+  if (junctionSaved_[at(junction)] == 0) {
+    junctionSaved_[at(junction)] = 1;
+    savedJunctions_.emplace_back(junction, junctions_[at(junction)]);
+  }
+}
+
+void Layout::settle() {
+  std::sort(staleList_.begin(), staleList_.end());
+  for (const int junction : staleList_) {
+    saveJunction(junction);
+    addJunction(junctions_[at(junction)], junction, -1);
+    junctions_[at(junction)] = JunctionState{};
+  }
+  for (const int junction : staleList_) {
+    solveJunction(junction);
+    addJunction(junctions_[at(junction)], junction, 1);
+    stale_[at(junction)] = 0;
+  }
+  staleList_.clear();
+}
+
+void Layout::settleAll() {
+  for (std::size_t j = 0; j < junctions_.size(); ++j) {
+    if (stale_[j] == 0) {
+      stale_[j] = 1;
+      staleList_.push_back(static_cast<int>(j));
+    }
+  }
+  if (savedRuns_.empty() && savedJunctions_.empty()) {
+    savedTallies_ = tallies_;
+    savedWeighted_ = weighted_;
+  }
+  settle();
+}
+
+void Layout::keep() {
+  LIFTARM_CHECK(staleList_.empty(), "keep() before settle()");
+  for (const auto& saved : savedRuns_) {
+    runSaved_[at(saved.first)] = 0;
+  }
+  for (const auto& saved : savedJunctions_) {
+    junctionSaved_[at(saved.first)] = 0;
+  }
+  savedRuns_.clear();
+  savedJunctions_.clear();
+}
+
+void Layout::revert() {
+  for (const int junction : staleList_) {
+    stale_[at(junction)] = 0;
+  }
+  staleList_.clear();
+  const bool changed = !savedRuns_.empty() || !savedJunctions_.empty();
+  for (auto& [run, state] : savedRuns_) {
+    runs_[at(run)] = std::move(state);
+    runSaved_[at(run)] = 0;
+  }
+  for (auto& [junction, state] : savedJunctions_) {
+    junctions_[at(junction)] = std::move(state);
+    junctionSaved_[at(junction)] = 0;
+  }
+  savedRuns_.clear();
+  savedJunctions_.clear();
+  if (changed) {
+    tallies_ = savedTallies_;
+    weighted_ = savedWeighted_;
+  }
+}
+
+void Layout::setWeights(std::vector<double> junctionWeights, std::vector<double> runWeights) {
+  junctionWeights_ = std::move(junctionWeights);
+  runWeights_ = std::move(runWeights);
+  weighted_ = 0.0;
+  for (std::size_t j = 0; j < junctions_.size(); ++j) {
+    weighted_ += static_cast<double>(junctions_[j].violations()) * junctionWeights_[j];
+  }
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    weighted_ += (0.5 * static_cast<double>(runs_[r].collisions) +
+                  static_cast<double>(runs_[r].forbidden)) *
+                 runWeights_[r];
+  }
+}
+
+Tallies Layout::recount() const {
+  Layout fresh(*problem_, *solver_);
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    fresh.setCover(static_cast<int>(r), runs_[r].cover);
+  }
+  for (std::size_t j = 0; j < junctions_.size(); ++j) {
+    fresh.addJunction(junctions_[j], static_cast<int>(j), 1);
+  }
+  return fresh.tallies_;
+}
+
+void Layout::countStack(int junction, JunctionState* state) const {
+  const guide::Junction& guideJunction = problem_->graph.junctions[at(junction)];
+  for (int axis = 0; axis < 3; ++axis) {
+    unsigned layers = 0;
+    for (const guide::Incidence& incidence : guideJunction.incident) {
+      const Cover& cover = runs_[at(incidence.run)].cover;
+      if (lattice::index(cover.axis) != axis) {
+        continue;
+      }
+      for (const Beam& beam : cover.beams) {
+        if (beam.start <= incidence.index && beam.last() >= incidence.index) {
+          layers |= 1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
+        }
+      }
+    }
+    if (layers == 0) {
+      continue;
+    }
+    int low = 0;
+    while ((layers >> static_cast<unsigned>(low) & 1U) == 0U) {
+      ++low;
+    }
+    int count = 0;
+    int high = low;
+    for (int l = low; l < kLayerCount; ++l) {
+      if ((layers >> static_cast<unsigned>(l) & 1U) != 0U) {
+        ++count;
+        high = l;
+      }
+    }
+    state->gaps += high - low + 1 - count;
+    state->overfull += std::max(0, count - kMostInStack);
+  }
+}
+
+}  // namespace liftarm::layout

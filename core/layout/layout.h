@@ -1,0 +1,140 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "guide/guiding_graph.h"
+#include "layout/beam.h"
+#include "layout/connection_solver.h"
+#include "layout/local_view.h"
+
+namespace liftarm::layout {
+
+//! \brief Sums over a layout, kept up to date by every edit; the objective's terms are made of them.
+struct Tallies {
+  int beams = 0;                 //!< real beam parts (4 and 6 holes count two)
+  int holes = 0;                 //!< total length, in holes (paper 4.3, sum of L)
+  int layerSquares = 0;          //!< sum of holes times layer squared (paper 4.3, F_dev)
+  int overhang = 0;              //!< beam ends past the end of their run
+  int hinges = 0;                //!< beams in line that share one hole only (FINDINGS 5)
+  int collisions = 0;            //!< pairs of beams that interpenetrate
+  int forbidden = 0;             //!< holes below the ground or in a keep-out box
+  int gaps = 0;                  //!< empty layers within stacks (DESIGN 7)
+  int overfull = 0;              //!< beams beyond three in one stack
+  int failedConnections = 0;     //!< clusters left at junctions, minus one each (DESIGN 7)
+  int connectors = 0;            //!< connecting parts
+  int mechanisms = 0;
+  int mechanismHeads = 0;
+  int mechanismCells = 0;
+  double pinHeadRatios = 0.0;    //!< sum over mechanisms (paper 4.1)
+  double connectionCost = 0.0;   //!< sum of Connection::cost
+
+  [[nodiscard]] int violations() const {
+    return collisions + forbidden + gaps + overfull + failedConnections;
+  }
+};
+
+//! \brief What one junction adds to the tallies.
+struct JunctionState {
+  Connection connection;
+  int gaps = 0;
+  int overfull = 0;
+
+  [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
+};
+
+//! \brief What one run adds to the tallies besides its cover.
+struct RunState {
+  Cover cover;
+  int collisions = 0;   //!< pairs of beams of which at least one is on this run
+  int forbidden = 0;
+};
+
+//! \brief The fixed part of a layout problem, shared by all layouts of one sketch.
+struct LayoutProblem {
+  guide::GuidingGraph graph;
+  std::vector<LocalView> views;                         //!< by junction
+  std::vector<std::vector<std::pair<int, int>>> seenBy; //!< by run: (junction, index of its RunView)
+};
+
+LayoutProblem makeLayoutProblem(guide::GuidingGraph graph);
+
+//! \brief The placements in use with their layers, and the mechanisms that join them.
+//! \details Edits are grouped: change covers, settle(), look at tallies(), then keep() or revert().
+//! revert() restores exactly what was there before, so a rejected move costs no second search.
+class Layout {
+ public:
+  //! \pre problem and solver outlive the layout.
+  Layout(const LayoutProblem& problem, ConnectionSolver& solver);
+
+  //! \brief Replaces the beams of one run. Its neighbours' connections are stale until settle().
+  void setCover(int run, Cover cover);
+
+  //! \brief Solves again every connection that the changes since keep() may touch.
+  void settle();
+
+  void keep();
+  void revert();
+
+  //! \brief Solves every connection from scratch, in junction order.
+  void settleAll();
+
+  [[nodiscard]] const Tallies& tallies() const { return tallies_; }
+  [[nodiscard]] const LayoutProblem& problem() const { return *problem_; }
+  [[nodiscard]] const RunState& run(int id) const { return runs_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] const JunctionState& junction(int id) const {
+    return junctions_[static_cast<std::size_t>(id)];
+  }
+  [[nodiscard]] const mechanisms::MechanismTable& table() const { return solver_->table(); }
+
+  //! \brief Violations weighted by place: what a search that is stuck raises (setWeights).
+  [[nodiscard]] double weightedViolations() const { return weighted_; }
+
+  //! \brief Weights of violations by junction and by run, each at least 0. Sizes as in the graph.
+  void setWeights(std::vector<double> junctionWeights, std::vector<double> runWeights);
+  [[nodiscard]] const std::vector<double>& junctionWeights() const { return junctionWeights_; }
+  [[nodiscard]] const std::vector<double>& runWeights() const { return runWeights_; }
+
+  //! \brief Tallies counted again from the covers and connections alone; equal to tallies() always.
+  [[nodiscard]] Tallies recount() const;
+
+  //! \brief Beams of incident runs that a junction's mechanisms must join, by (run, beam index).
+  [[nodiscard]] std::vector<std::pair<int, int>> terminalsAt(int junction) const;
+
+ private:
+  void addRun(const RunState& state, int run, int sign);
+  void addJunction(const JunctionState& state, int junction, int sign);
+  [[nodiscard]] int collisionsWith(int run, const Cover& cover, int other) const;
+  [[nodiscard]] int forbiddenOf(int run, const Cover& cover) const;
+  void changeCollisions(int run, int delta);
+  void solveJunction(int junction);
+  void fillProblem(int junction);
+  void fillRun(const RunView& view);
+  void fillOthers(int junction);
+  void countStack(int junction, JunctionState* state) const;
+  [[nodiscard]] bool plainStack(int junction, Connection* connection) const;
+  [[nodiscard]] std::uint64_t signature(const RunView& view, const Cover& cover) const;
+  void saveJunction(int junction);
+
+  const LayoutProblem* problem_;
+  ConnectionSolver* solver_;
+  std::vector<RunState> runs_;
+  std::vector<JunctionState> junctions_;
+  std::vector<double> junctionWeights_;
+  std::vector<double> runWeights_;
+  Tallies tallies_;
+  double weighted_ = 0.0;
+
+  Tallies savedTallies_;
+  double savedWeighted_ = 0.0;
+  std::vector<std::pair<int, RunState>> savedRuns_;
+  std::vector<std::pair<int, JunctionState>> savedJunctions_;
+  std::vector<std::uint8_t> runSaved_;
+  std::vector<std::uint8_t> junctionSaved_;
+  std::vector<std::uint8_t> stale_;
+  std::vector<int> staleList_;
+  LocalProblem local_;
+  std::vector<std::pair<int, int>> localTerminals_;
+};
+
+}  // namespace liftarm::layout

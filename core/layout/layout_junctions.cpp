@@ -1,0 +1,264 @@
+#include <algorithm>
+#include <cmath>
+
+#include "layout/layout.h"
+
+namespace liftarm::layout {
+
+namespace {
+
+using lattice::Axis;
+using lattice::Cell;
+using lattice::Vec3;
+using mechanisms::MechanismCell;
+using mechanisms::OrientedMechanism;
+
+//! Connectors on another lattice than the box's keep this far from its cells, on some axis.
+constexpr double kApart = 0.95;
+
+std::size_t at(int id) { return static_cast<std::size_t>(id); }
+
+Cell unitCell(Axis axis) {
+  Cell cell;
+  cell[lattice::index(axis)] = 1;
+  return cell;
+}
+
+Cell scaled(int s, Cell c) { return {s * c.x, s * c.y, s * c.z}; }
+
+//! Whether beam b of the cover is pinned at node i to the beam before or after it.
+bool pinnedInline(const guide::GuideRun& run, const Cover& cover, std::size_t b, int i) {
+  for (const std::size_t other : {b - 1, b + 1}) {
+    if (other < cover.beams.size()) {   // b - 1 wraps around for the first beam
+      const std::vector<int> pins = inlinePins(
+          run, cover.beams[std::min(b, other)], cover.beams[std::max(b, other)]);
+      if (std::find(pins.begin(), pins.end(), i) != pins.end()) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool covers(const Beam& beam, int edge) { return beam.start <= edge && beam.last() >= edge + 1; }
+
+}  // namespace
+
+std::vector<std::pair<int, int>> Layout::terminalsAt(int junction) const {
+  std::vector<std::pair<int, int>> terminals;
+  const auto add = [&](int run, std::size_t beam) {
+    const std::pair<int, int> terminal{run, static_cast<int>(beam)};
+    if (std::find(terminals.begin(), terminals.end(), terminal) == terminals.end() &&
+        terminals.size() < LocalProblem::kMaxTerminals) {
+      terminals.push_back(terminal);
+    }
+  };
+  for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
+    const std::vector<Beam>& beams = runs_[at(incidence.run)].cover.beams;
+    const int edges = problem_->graph.runs[at(incidence.run)].edgeCount();
+    const int i = incidence.index;
+    bool coveredBefore = i == 0;
+    bool coveredAfter = i == edges;
+    for (std::size_t b = 0; b < beams.size(); ++b) {
+      if (beams[b].start <= i && beams[b].last() >= i) {
+        add(incidence.run, b);
+        coveredBefore = coveredBefore || covers(beams[b], i - 1);
+        coveredAfter = coveredAfter || covers(beams[b], i);
+      }
+    }
+    for (std::size_t b = 0; b < beams.size(); ++b) {
+      if ((!coveredBefore && beams[b].last() == i - 1) ||
+          (!coveredAfter && beams[b].start == i + 1)) {
+        add(incidence.run, b);
+      }
+    }
+  }
+  return terminals;
+}
+
+void Layout::fillRun(const RunView& view) {
+  const guide::GuideRun& run = problem_->graph.runs[at(view.run)];
+  const Cover& cover = runs_[at(view.run)].cover;
+  const Cell axisStep = unitCell(cover.axis);
+  for (std::size_t b = 0; b < cover.beams.size(); ++b) {
+    const Beam& beam = cover.beams[b];
+    if (static_cast<double>(beam.last()) < view.low || static_cast<double>(beam.start) > view.high) {
+      continue;
+    }
+    int terminal = -1;
+    for (std::size_t t = 0; t < localTerminals_.size(); ++t) {
+      if (localTerminals_[t] == std::pair<int, int>{view.run, static_cast<int>(b)}) {
+        terminal = static_cast<int>(t);
+      }
+    }
+    const Cell shift = scaled(beam.layer, axisStep);
+    if (view.aligned) {
+      for (int i = std::max(beam.start, static_cast<int>(view.low) - 1);
+           i <= std::min(beam.last(), static_cast<int>(view.high) + 1);
+           ++i) {
+        const Cell cell = view.base + scaled(i, view.step) + shift;
+        if (inBox(cell)) {
+          local_.addHole({cell, cover.axis, terminal, pinnedInline(run, cover, b, i)});
+        }
+      }
+      continue;
+    }
+    const std::size_t axisPlace = run.axes.front() == cover.axis ? 0 : 1;
+    const auto first = static_cast<double>(beam.start);
+    const auto last = static_cast<double>(beam.last());
+    for (const Shadow& shadow : view.shadows[axisPlace][at(beam.layer + guide::kMaxLayer)]) {
+      if (first < shadow.high && last > shadow.low) {
+        local_.block(shadow.cell);
+      }
+    }
+    for (const auto& [i, nodeCell] : view.onLattice) {
+      const Cell cell = nodeCell + shift;
+      if (beam.start <= i && beam.last() >= i && inBox(cell)) {
+        local_.addHole({cell, cover.axis, terminal, pinnedInline(run, cover, b, i)});
+      }
+    }
+  }
+}
+
+void Layout::fillOthers(int junction) {
+  const LocalView& view = problem_->views[at(junction)];
+  for (const JunctionView& other : view.junctions) {
+    for (const PlacedMechanism& placed : junctions_[at(other.junction)].connection.mechanisms) {
+      for (const MechanismCell& cell : table().oriented(placed.oriented).shape.cells) {
+        const Cell own = cell.at + placed.at;
+        if (other.aligned) {
+          const Cell p = own + other.shift;
+          if (inBox(p) && cell.head) {
+            local_.useHole(boxIndex(p));
+          } else if (inBox(p)) {
+            local_.block(boxIndex(p));
+          }
+          continue;
+        }
+        const Vec3 p = lattice::toVec3(own) + other.offset;
+        const Cell low{static_cast<int>(std::floor(p.x)),
+                       static_cast<int>(std::floor(p.y)),
+                       static_cast<int>(std::floor(p.z))};
+        for (int corner = 0; corner < 8; ++corner) {
+          const Cell c = low + Cell{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+          const Vec3 d = lattice::toVec3(c) - p;
+          if (inBox(c) && std::abs(d.x) < kApart && std::abs(d.y) < kApart &&
+              std::abs(d.z) < kApart) {
+            local_.block(boxIndex(c));
+          }
+        }
+      }
+    }
+  }
+  for (const int cell : view.forbidden) {
+    if (local_.holeAt(cell) == nullptr) {
+      local_.block(cell);
+    }
+  }
+}
+
+void Layout::fillProblem(int junction) {
+  const guide::Junction& guideJunction = problem_->graph.junctions[at(junction)];
+  local_.clear();
+  local_.terminals = static_cast<int>(localTerminals_.size());
+  // Off-lattice beams first: their shadows must not cover the holes of beams on the lattice.
+  for (const bool aligned : {false, true}) {
+    for (const RunView& view : problem_->views[at(junction)].runs) {
+      if (view.aligned == aligned && !runs_[at(view.run)].cover.beams.empty()) {
+        fillRun(view);
+      }
+    }
+  }
+  fillOthers(junction);
+  for (std::size_t a = 0; a < localTerminals_.size(); ++a) {
+    for (std::size_t b = a + 1; b < localTerminals_.size(); ++b) {
+      const auto [runA, beamA] = localTerminals_[a];
+      const auto [runB, beamB] = localTerminals_[b];
+      if (runA == runB && (beamA - beamB == 1 || beamB - beamA == 1)) {
+        const std::vector<Beam>& beams = runs_[at(runA)].cover.beams;
+        const guide::GuideRun& run = problem_->graph.runs[at(runA)];
+        if (!inlinePins(run, beams[at(std::min(beamA, beamB))], beams[at(std::max(beamA, beamB))])
+                 .empty()) {
+          local_.join(static_cast<int>(a), static_cast<int>(b));
+        }
+      }
+    }
+  }
+  if (guideJunction.joint >= 0) {
+    const guide::GuideJoint& joint = problem_->graph.joints[at(guideJunction.joint)];
+    local_.isJoint = true;
+    local_.jointAxis = joint.axis;
+    for (std::size_t t = 0; t < localTerminals_.size(); ++t) {
+      for (std::size_t g = 0; g < joint.runGroups.size(); ++g) {
+        const std::vector<int>& runs = joint.runGroups[g];
+        if (std::find(runs.begin(), runs.end(), localTerminals_[t].first) != runs.end()) {
+          local_.group[t] = static_cast<std::int8_t>(g);
+        }
+      }
+    }
+  }
+}
+
+//! The usual case in a plane, without a search: all beams stacked without a gap, one pin through them.
+bool Layout::plainStack(int junction, Connection* connection) const {
+  const std::size_t count = localTerminals_.size();
+  if (count < 2 || count > 3) {
+    return false;
+  }
+  const Axis axis = runs_[at(localTerminals_.front().first)].cover.axis;
+  int low = guide::kMaxLayer + 1;
+  unsigned layers = 0;
+  for (const auto& [run, b] : localTerminals_) {
+    const Beam& beam = runs_[at(run)].cover.beams[at(b)];
+    int index = -1;
+    for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
+      index = incidence.run == run ? incidence.index : index;
+    }
+    if (runs_[at(run)].cover.axis != axis || beam.start > index || beam.last() < index) {
+      return false;
+    }
+    low = std::min(low, beam.layer);
+    layers |= 1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
+  }
+  if ((layers >> static_cast<unsigned>(low + guide::kMaxLayer)) != (1U << count) - 1U) {
+    return false;
+  }
+  const Cell step = unitCell(axis);
+  const Cell bottom = scaled(low, step);
+  for (const JunctionView& other : problem_->views[at(junction)].junctions) {
+    for (const PlacedMechanism& placed : junctions_[at(other.junction)].connection.mechanisms) {
+      for (const MechanismCell& cell : table().oriented(placed.oriented).shape.cells) {
+        const Cell p = cell.at + placed.at + other.shift;
+        const Cell onAxis = p - scaled(p[lattice::index(axis)], step);
+        if (other.aligned && onAxis == Cell{}) {
+          return false;
+        }
+      }
+    }
+  }
+  for (const mechanisms::TableEntry& entry :
+       table().between(scaled(static_cast<int>(count) - 1, step), axis, axis)) {
+    const OrientedMechanism& m = table().oriented(entry.mechanism);
+    if (m.heads == static_cast<int>(count) && m.shape.cells.size() == count) {
+      const Cell head = m.shape.cells[at(entry.headA)].at;
+      connection->mechanisms = {{entry.mechanism, bottom - head}};
+      connection->cost = m.cost;
+      connection->failed = 0;
+      return true;
+    }
+  }
+  return false;
+}
+
+void Layout::solveJunction(int junction) {
+  JunctionState& state = junctions_[at(junction)];
+  countStack(junction, &state);
+  localTerminals_ = terminalsAt(junction);
+  if (localTerminals_.size() < 2 || plainStack(junction, &state.connection)) {
+    return;
+  }
+  fillProblem(junction);
+  state.connection = solver_->solve(local_);
+}
+
+}  // namespace liftarm::layout

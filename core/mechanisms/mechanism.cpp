@@ -1,0 +1,301 @@
+#include "mechanisms/mechanism.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <tuple>
+
+#include "base/check.h"
+
+namespace liftarm::mechanisms {
+
+namespace {
+
+using lattice::Axis;
+using lattice::Cell;
+using lattice::Mat3;
+using lattice::Vec3;
+using parts::FeatureKind;
+
+constexpr double kOnLattice = 1e-3;
+
+std::optional<Cell> wholeCell(Vec3 p) {
+  Cell cell;
+  for (int i = 0; i < 3; ++i) {
+    cell[i] = static_cast<int>(p[i] < 0.0 ? p[i] - 0.5 : p[i] + 0.5);
+    const double rest = p[i] - static_cast<double>(cell[i]);
+    if (rest > kOnLattice || rest < -kOnLattice) {
+      return std::nullopt;
+    }
+  }
+  return cell;
+}
+
+std::optional<Axis> principalAxis(Vec3 v) {
+  for (int i = 0; i < 3; ++i) {
+    if (v[i] > 1.0 - kOnLattice || v[i] < -1.0 + kOnLattice) {
+      return lattice::axisFromIndex(i);
+    }
+  }
+  return std::nullopt;
+}
+
+Cell turned(const Mat3& rotation, Cell cell) {
+  const std::optional<Cell> result = wholeCell(rotation * lattice::toVec3(cell));
+  LIFTARM_CHECK(result.has_value(), "a lattice rotation keeps whole cells whole");
+  return *result;
+}
+
+Axis turned(const Mat3& rotation, Axis axis) {
+  return *principalAxis(rotation * lattice::unitVector(axis));
+}
+
+void sortHeadsFirst(std::vector<MechanismCell>* cells) {
+  std::sort(cells->begin(), cells->end(), [](const MechanismCell& a, const MechanismCell& b) {
+    return a.head != b.head ? a.head : a.at < b.at;
+  });
+}
+
+//! The part as a mechanism of one, its first slot at the origin; empty when it is not on the lattice.
+std::optional<Mechanism> fromPart(const parts::Part& part) {
+  if (part.features.empty() || part.features.front().slots.empty()) {
+    return std::nullopt;
+  }
+  const Vec3 origin = part.features.front().slots.front();
+  Mechanism mechanism;
+  for (const parts::Feature& feature : part.features) {
+    const std::optional<Axis> axis = principalAxis(feature.axis);
+    for (const Vec3& slot : feature.slots) {
+      const std::optional<Cell> at = wholeCell(slot - origin);
+      if (!axis || !at) {
+        return std::nullopt;
+      }
+      const bool male = parts::isMale(feature.kind);
+      mechanism.cells.push_back({*at, male, *axis, !male, feature.kind});
+    }
+  }
+  for (const parts::Prism& prism : part.solid) {
+    // Every whole cell on the prism's middle line is body, unless a hole stands there already.
+    const Vec3 span = prism.to - prism.from;
+    const int steps = static_cast<int>(lattice::length(span) + 0.5);
+    for (int step = 0; step <= steps; ++step) {
+      const double t = steps == 0 ? 0.0 : static_cast<double>(step) / static_cast<double>(steps);
+      const std::optional<Cell> at = wholeCell(prism.from + t * span - origin);
+      if (!at) {
+        return std::nullopt;
+      }
+      const bool known = std::any_of(mechanism.cells.begin(),
+                                     mechanism.cells.end(),
+                                     [&](const MechanismCell& c) { return c.at == *at; });
+      if (!known) {
+        mechanism.cells.push_back({*at, false, Axis::kX, false, FeatureKind::kPinHole});
+      }
+    }
+  }
+  mechanism.parts.push_back({part.id, {-origin, Mat3{}}});
+  sortHeadsFirst(&mechanism.cells);
+  return mechanism;
+}
+
+bool fits(const MechanismCell& male, const MechanismCell& female) {
+  return male.head && female.openHole && male.axis == female.axis &&
+         ((male.kind == FeatureKind::kPin && female.kind == FeatureKind::kPinHole) ||
+          (male.kind == FeatureKind::kAxle && female.kind == FeatureKind::kAxleHole));
+}
+
+//! Puts `added` (already turned) at `offset` onto `base`; fails where cells meet that do not fit.
+std::optional<Mechanism> joined(const Mechanism& base, const Mechanism& added, Cell offset) {
+  Mechanism result = base;
+  int joints = 0;
+  for (MechanismCell cell : added.cells) {
+    cell.at = cell.at + offset;
+    auto meeting = std::find_if(result.cells.begin(),
+                                result.cells.end(),
+                                [&](const MechanismCell& c) { return c.at == cell.at; });
+    if (meeting == result.cells.end()) {
+      result.cells.push_back(cell);
+      continue;
+    }
+    if (!fits(*meeting, cell) && !fits(cell, *meeting)) {
+      return std::nullopt;
+    }
+    meeting->head = false;
+    meeting->openHole = false;
+    ++joints;
+  }
+  if (joints == 0) {
+    return std::nullopt;
+  }
+  for (const MechanismPart& part : added.parts) {
+    lattice::Pose pose = part.pose;
+    pose.position = pose.position + lattice::toVec3(offset);
+    result.parts.push_back({part.id, pose});
+  }
+  sortHeadsFirst(&result.cells);
+  return result;
+}
+
+using CellKey = std::tuple<int, int, int, int, int>;
+using ShapeKey = std::vector<CellKey>;
+
+ShapeKey keyOf(const Mechanism& mechanism) {
+  ShapeKey key;
+  const Cell base = mechanism.cells.empty()
+                        ? Cell{}
+                        : std::min_element(mechanism.cells.begin(),
+                                           mechanism.cells.end(),
+                                           [](const MechanismCell& a, const MechanismCell& b) {
+                                             return a.at < b.at;
+                                           })
+                              ->at;
+  for (const MechanismCell& cell : mechanism.cells) {
+    const Cell at = cell.at - base;
+    const int role = cell.head ? 1 + static_cast<int>(cell.kind)
+                               : (cell.openHole ? 10 + static_cast<int>(cell.kind) : 0);
+    const int axis = role == 0 ? 0 : lattice::index(cell.axis);
+    key.emplace_back(at.x, at.y, at.z, role, axis);
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+ShapeKey canonicalKey(const Mechanism& mechanism) {
+  ShapeKey best;
+  for (const Mat3& rotation : lattice::latticeRotations()) {
+    ShapeKey key = keyOf(rotated(mechanism, rotation));
+    if (best.empty() || key < best) {
+      best = std::move(key);
+    }
+  }
+  return best;
+}
+
+bool usable(const Mechanism& mechanism) {
+  return mechanism.headCount() >= 2 &&
+         std::all_of(mechanism.cells.begin(), mechanism.cells.end(), [](const MechanismCell& c) {
+           return !c.head || c.kind == FeatureKind::kPin;
+         });
+}
+
+//! All ways to add `piece` to `base` by one fitting pair of cells.
+void extend(const Mechanism& base, const Mechanism& piece, int maxCells,
+            std::set<ShapeKey>* seen, std::vector<Mechanism>* out) {
+  for (const Mat3& rotation : lattice::latticeRotations()) {
+    const Mechanism turnedPiece = rotated(piece, rotation);
+    for (const MechanismCell& onBase : base.cells) {
+      for (const MechanismCell& onPiece : turnedPiece.cells) {
+        if (!fits(onBase, onPiece) && !fits(onPiece, onBase)) {
+          continue;
+        }
+        std::optional<Mechanism> whole = joined(base, turnedPiece, onBase.at - onPiece.at);
+        if (whole && static_cast<int>(whole->cells.size()) <= maxCells &&
+            seen->insert(canonicalKey(*whole)).second) {
+          out->push_back(std::move(*whole));
+        }
+      }
+    }
+  }
+}
+
+//! The heads alone and the body alone, both in the frame where the first head is the origin.
+bool bodyContained(const Mechanism& small, const Mechanism& large) {
+  for (const Mat3& rotation : lattice::latticeRotations()) {
+    const Mechanism candidate = rotated(small, rotation);
+    for (const MechanismCell& anchor : large.cells) {
+      if (!anchor.head) {
+        break;
+      }
+      const Cell shift = anchor.at - candidate.cells.front().at;
+      const bool inside = std::all_of(
+          candidate.cells.begin(), candidate.cells.end(), [&](const MechanismCell& c) {
+            return std::any_of(large.cells.begin(), large.cells.end(), [&](const MechanismCell& l) {
+              return l.at == c.at + shift && l.head == c.head && (!c.head || l.axis == c.axis);
+            });
+          });
+      if (inside) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::vector<Mechanism> pruned(std::vector<Mechanism> all) {
+  std::vector<Mechanism> kept;
+  for (Mechanism& mechanism : all) {
+    const bool dominated = std::any_of(kept.begin(), kept.end(), [&](const Mechanism& k) {
+      return k.headCount() == mechanism.headCount() && k.parts.size() <= mechanism.parts.size() &&
+             bodyContained(k, mechanism);
+    });
+    if (!dominated) {
+      kept.push_back(std::move(mechanism));
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
+int Mechanism::headCount() const {
+  return static_cast<int>(
+      std::count_if(cells.begin(), cells.end(), [](const MechanismCell& c) { return c.head; }));
+}
+
+double Mechanism::pinHeadRatio() const {
+  return static_cast<double>(headCount()) / static_cast<double>(cells.size());
+}
+
+Mechanism rotated(const Mechanism& mechanism, const Mat3& rotation) {
+  Mechanism result = mechanism;
+  for (MechanismCell& cell : result.cells) {
+    cell.at = turned(rotation, cell.at);
+    cell.axis = turned(rotation, cell.axis);
+  }
+  for (MechanismPart& part : result.parts) {
+    part.pose.position = rotation * part.pose.position;
+    part.pose.rotation = rotation * part.pose.rotation;
+  }
+  sortHeadsFirst(&result.cells);
+  return result;
+}
+
+std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
+                                         const CompositionOptions& options) {
+  std::vector<Mechanism> pieces;
+  for (const std::string& id : options.partIds) {
+    const parts::Part* part = catalogue.find(id);
+    if (part != nullptr) {
+      if (std::optional<Mechanism> piece = fromPart(*part)) {
+        pieces.push_back(std::move(*piece));
+      }
+    }
+  }
+  std::set<ShapeKey> seen;
+  std::vector<Mechanism> all;
+  for (const Mechanism& piece : pieces) {
+    if (seen.insert(canonicalKey(piece)).second) {
+      all.push_back(piece);
+    }
+  }
+  std::size_t levelBegin = 0;
+  for (int parts = 2; parts <= options.maxParts; ++parts) {
+    const std::size_t levelEnd = all.size();
+    for (std::size_t i = levelBegin; i < levelEnd; ++i) {
+      for (const Mechanism& piece : pieces) {
+        const Mechanism base = all[i];
+        extend(base, piece, options.maxCells, &seen, &all);
+      }
+    }
+    levelBegin = levelEnd;
+  }
+  std::vector<Mechanism> useful;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(useful), usable);
+  std::stable_sort(useful.begin(), useful.end(), [](const Mechanism& a, const Mechanism& b) {
+    return a.parts.size() != b.parts.size() ? a.parts.size() < b.parts.size()
+                                            : a.cells.size() < b.cells.size();
+  });
+  return pruned(std::move(useful));
+}
+
+}  // namespace liftarm::mechanisms

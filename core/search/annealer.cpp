@@ -1,0 +1,253 @@
+#include "search/annealer.h"
+
+#include <algorithm>
+
+#include "base/det_math.h"
+#include "guide/orientation.h"
+
+namespace liftarm::search {
+
+namespace {
+
+constexpr double kPickViolation = 0.75;   // share of moves at a violated place while there is one
+constexpr double kPickNear = 0.15;        // of these: at a run that passes near, not one that is met
+constexpr double kPickAxis = 0.12;        // share of moves that turn the run's hole axis
+constexpr double kPickTwo = 0.35;         // share of moves that cover two runs anew
+constexpr double kMostNoise = 9.0;
+constexpr std::uint64_t kPatience = 150;  // moves without a change of violations before weights rise
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+CoverCosts coverCosts(const EnergyWeights& w) {
+  CoverCosts costs;
+  costs.beam = w.beam;
+  costs.hole = w.hole;
+  costs.layerHole = w.layerSquare;
+  costs.hinge = w.hinge;
+  costs.overhang = w.overhang;
+  costs.violation = w.violation;
+  return costs;
+}
+
+}  // namespace
+
+Annealer::Annealer(const layout::LayoutProblem& problem, layout::ConnectionSolver& solver,
+                   AnnealingOptions options)
+    : problem_(&problem),
+      options_(std::move(options)),
+      rng_(options_.seed),
+      layout_(problem, solver),
+      coverer_(problem, options_.lengths, coverCosts(options_.weights)) {}
+
+double Annealer::plainEnergy() const {
+  const layout::Tallies& t = layout_.tallies();
+  const EnergyWeights& w = options_.weights;
+  return w.beam * t.beams + w.hole * t.holes + w.layerSquare * t.layerSquares +
+         w.overhang * t.overhang + w.hinge * t.hinges + w.connection * t.connectionCost;
+}
+
+double Annealer::energy() const {
+  return plainEnergy() + options_.weights.violation * layout_.weightedViolations();
+}
+
+double Annealer::fraction() const {
+  if (done_) {
+    return 1.0;
+  }
+  const auto inRound = static_cast<double>(iteration_ - roundBegin_);
+  const double share = roundLength_ == 0 ? 0.0 : inRound / static_cast<double>(roundLength_);
+  return std::min(0.99, (static_cast<double>(round_) + share) / (static_cast<double>(round_) + 1.0));
+}
+
+void Annealer::start() {
+  const guide::Orientation orientation =
+      guide::estimateOrientation(problem_->graph, options_.starts, &rng_);
+  // The first covers see hole axes but no beams; the later ones see what was laid before them.
+  const auto runs = static_cast<int>(problem_->graph.runs.size());
+  for (int r = 0; r < runs; ++r) {
+    layout_.setCover(r, {orientation[at(r)], {}});
+  }
+  for (int r = 0; r < runs; ++r) {
+    if (auto cover = coverer_.propose(layout_, r, orientation[at(r)], 0.5, &rng_)) {
+      layout_.setCover(r, std::move(*cover));
+    }
+  }
+  layout_.settleAll();
+  layout_.keep();
+  energy_ = energy();
+  started_ = true;
+  beginRound();
+  keepBest();
+}
+
+void Annealer::beginRound() {
+  roundBegin_ = iteration_;
+  roundLength_ = options_.minIterations +
+                 static_cast<std::uint64_t>(options_.iterationsPerRun) * problem_->graph.runs.size();
+  temperature_ = options_.startTemperature;
+  lastChange_ = iteration_;
+}
+
+void Annealer::finishRound() {
+  ++round_;
+  if (best_.tallies.violations() == 0 || round_ > options_.maxRounds) {
+    done_ = true;
+    return;
+  }
+  beginRound();
+}
+
+void Annealer::keepBest() {
+  const int violations = layout_.tallies().violations();
+  const double plain = plainEnergy();
+  const bool better = best_.covers.empty() || violations < best_.tallies.violations() ||
+                      (violations == best_.tallies.violations() && plain < best_.energy - 1e-9);
+  if (!better) {
+    return;
+  }
+  ++improvements_;
+  best_.tallies = layout_.tallies();
+  best_.energy = plain;
+  best_.covers.clear();
+  best_.junctions.clear();
+  for (std::size_t r = 0; r < problem_->graph.runs.size(); ++r) {
+    best_.covers.push_back(layout_.run(static_cast<int>(r)).cover);
+  }
+  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
+    best_.junctions.push_back(layout_.junction(static_cast<int>(j)));
+  }
+}
+
+//! A run at a violated place, if there is one and the dice say so; else any run.
+int Annealer::pickRun() {
+  const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
+  if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
+    return static_cast<int>(rng_.below(runs));
+  }
+  sites_.clear();
+  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
+    if (layout_.junction(static_cast<int>(j)).violations() > 0) {
+      sites_.push_back(static_cast<int>(j));
+    }
+  }
+  const std::size_t junctions = sites_.size();
+  for (std::uint32_t r = 0; r < runs; ++r) {
+    const layout::RunState& state = layout_.run(static_cast<int>(r));
+    if (state.collisions + state.forbidden > 0) {
+      sites_.push_back(static_cast<int>(r));
+    }
+  }
+  if (sites_.empty()) {
+    return static_cast<int>(rng_.below(runs));
+  }
+  const std::size_t pick = rng_.below(static_cast<std::uint32_t>(sites_.size()));
+  if (pick >= junctions) {
+    return sites_[pick];
+  }
+  const guide::Junction& junction = problem_->graph.junctions[at(sites_[pick])];
+  if (rng_.unit() < kPickNear) {
+    return junction.nearRuns[rng_.below(static_cast<std::uint32_t>(junction.nearRuns.size()))];
+  }
+  return junction.incident[rng_.below(static_cast<std::uint32_t>(junction.incident.size()))].run;
+}
+
+//! Another run that meets this one, or -1.
+int Annealer::pickPartner(int run) {
+  const std::vector<int>& met = problem_->graph.runs[at(run)].junctions;
+  if (met.empty()) {
+    return -1;
+  }
+  const guide::Junction& junction =
+      problem_->graph.junctions[at(met[rng_.below(static_cast<std::uint32_t>(met.size()))])];
+  const int other =
+      junction.incident[rng_.below(static_cast<std::uint32_t>(junction.incident.size()))].run;
+  return other == run ? -1 : other;
+}
+
+bool Annealer::recover(int run, double noise) {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  lattice::Axis axis = layout_.run(run).cover.axis;
+  if (guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+    axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
+  }
+  auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
+  if (!cover || *cover == layout_.run(run).cover) {
+    return false;
+  }
+  layout_.setCover(run, std::move(*cover));
+  return true;
+}
+
+void Annealer::move() {
+  const int run = pickRun();
+  const double noise = kMostNoise * rng_.unit();
+  bool changed = recover(run, noise);
+  if (rng_.unit() < kPickTwo) {
+    const int partner = pickPartner(run);
+    changed = (partner >= 0 && recover(partner, noise)) || changed;
+  }
+  if (!changed) {
+    return;
+  }
+  layout_.settle();
+  const double after = energy();
+  const double delta = after - energy_;
+  if (delta <= 0.0 || rng_.unit() < base::detExp(-delta / temperature_)) {
+    layout_.keep();
+    energy_ = after;
+    if (delta < 0.0) {
+      lastChange_ = delta < -1e-9 ? iteration_ : lastChange_;
+    }
+    keepBest();
+  } else {
+    layout_.revert();
+  }
+}
+
+void Annealer::raiseWeights() {
+  std::vector<double> junctionWeights = layout_.junctionWeights();
+  std::vector<double> runWeights = layout_.runWeights();
+  for (std::size_t j = 0; j < junctionWeights.size(); ++j) {
+    if (layout_.junction(static_cast<int>(j)).violations() > 0) {
+      junctionWeights[j] += 0.5;
+    } else {
+      junctionWeights[j] = 1.0 + (junctionWeights[j] - 1.0) * 0.95;
+    }
+  }
+  for (std::size_t r = 0; r < runWeights.size(); ++r) {
+    const layout::RunState& state = layout_.run(static_cast<int>(r));
+    if (state.collisions + state.forbidden > 0) {
+      runWeights[r] += 0.5;
+    } else {
+      runWeights[r] = 1.0 + (runWeights[r] - 1.0) * 0.95;
+    }
+  }
+  layout_.setWeights(std::move(junctionWeights), std::move(runWeights));
+  energy_ = energy();
+}
+
+bool Annealer::advance(std::uint32_t iterations) {
+  if (!started_) {
+    start();
+  }
+  const double ratio = options_.endTemperature / options_.startTemperature;
+  for (std::uint32_t i = 0; i < iterations && !done_; ++i) {
+    const double share =
+        static_cast<double>(iteration_ - roundBegin_) / static_cast<double>(roundLength_);
+    if ((iteration_ & 15U) == 0) {
+      temperature_ = options_.startTemperature * base::detExp(base::detLog(ratio) * share);
+    }
+    move();
+    ++iteration_;
+    if (layout_.tallies().violations() > 0 && iteration_ - lastChange_ > kPatience) {
+      raiseWeights();
+      lastChange_ = iteration_;
+    }
+    if (iteration_ - roundBegin_ >= roundLength_) {
+      finishRound();
+    }
+  }
+  return done_;
+}
+
+}  // namespace liftarm::search

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/rng.h"
+#include "layout/layout.h"
+#include "search/run_coverer.h"
+
+namespace liftarm::search {
+
+//! \brief What the search minimises once there are no violations, in units of one connecting part.
+struct EnergyWeights {
+  double beam = 10.0;
+  double hole = 0.05;
+  double layerSquare = 0.02;   //!< each hole times its layer squared
+  double overhang = 2.0;
+  double hinge = 3.0;
+  double connection = 1.0;     //!< the connections' cost: parts, and a little for their body
+  double violation = 25.0;     //!< each, times the weight of its place
+};
+
+struct AnnealingOptions {
+  std::uint64_t seed = 1;
+  int starts = 60;                   //!< of stage one
+  double startTemperature = 6.0;     //!< in units of the energy
+  double endTemperature = 0.25;
+  std::uint32_t iterationsPerRun = 120;
+  std::uint32_t minIterations = 1500;
+  std::uint32_t maxRounds = 6;       //!< further rounds while no layout without violations was found
+  std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
+  EnergyWeights weights;
+};
+
+//! \brief A whole layout as it can be kept and put back.
+struct LayoutSnapshot {
+  std::vector<layout::Cover> covers;
+  std::vector<layout::JunctionState> junctions;
+  layout::Tallies tallies;
+  double energy = 0.0;
+};
+
+//! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet, anew and
+//! exactly (RunCoverer), and joins what it touched anew (ConnectionSolver).
+//! \details Where violations stay, their places gain weight until the search leaves them (as breakout
+//! local search does); the best layout is kept by (violations, energy). Stepped and deterministic.
+class Annealer {
+ public:
+  //! \pre problem and solver outlive the annealer.
+  Annealer(const layout::LayoutProblem& problem, layout::ConnectionSolver& solver,
+           AnnealingOptions options);
+
+  //! \brief At most `iterations` moves. \return True when the search has ended.
+  bool advance(std::uint32_t iterations);
+
+  [[nodiscard]] bool done() const { return done_; }
+  [[nodiscard]] const LayoutSnapshot& best() const { return best_; }
+  [[nodiscard]] std::uint32_t improvements() const { return improvements_; }
+  [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
+  [[nodiscard]] double temperature() const { return temperature_; }
+  [[nodiscard]] double fraction() const;
+  [[nodiscard]] const layout::Layout& current() const { return layout_; }
+
+ private:
+  void start();
+  void move();
+  void beginRound();
+  void finishRound();
+  [[nodiscard]] int pickRun();
+  [[nodiscard]] int pickPartner(int run);
+  bool recover(int run, double noise);
+  [[nodiscard]] double energy() const;
+  [[nodiscard]] double plainEnergy() const;
+  void raiseWeights();
+  void keepBest();
+
+  const layout::LayoutProblem* problem_;
+  AnnealingOptions options_;
+  base::Rng rng_;
+  layout::Layout layout_;
+  RunCoverer coverer_;
+  LayoutSnapshot best_;
+  bool started_ = false;
+  bool done_ = false;
+  std::uint64_t iteration_ = 0;
+  std::uint64_t roundBegin_ = 0;
+  std::uint64_t roundLength_ = 0;
+  std::uint32_t round_ = 0;
+  std::uint32_t improvements_ = 0;
+  std::uint64_t lastChange_ = 0;
+  double temperature_ = 0.0;
+  double energy_ = 0.0;
+  std::vector<int> sites_;
+};
+
+}  // namespace liftarm::search

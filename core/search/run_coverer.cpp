@@ -1,0 +1,291 @@
+#include "search/run_coverer.h"
+
+#include <algorithm>
+
+namespace liftarm::search {
+
+namespace {
+
+using guide::kMaxLayer;
+using layout::Beam;
+using layout::Cover;
+using layout::kLayerCount;
+using lattice::Axis;
+
+constexpr double kNever = 1e18;
+constexpr int kMostOverlap = 3;
+constexpr double kForbidden = 1e6;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int stackViolations(unsigned layers) {
+  if (layers == 0) {
+    return 0;
+  }
+  int low = 0;
+  while ((layers >> static_cast<unsigned>(low) & 1U) == 0U) {
+    ++low;
+  }
+  int high = low;
+  int count = 0;
+  for (int l = low; l < kLayerCount; ++l) {
+    if ((layers >> static_cast<unsigned>(l) & 1U) != 0U) {
+      high = l;
+      ++count;
+    }
+  }
+  return high - low + 1 - count + std::max(0, count - 3);
+}
+
+unsigned bit(int layer) { return 1U << static_cast<unsigned>(layer + kMaxLayer); }
+
+}  // namespace
+
+RunCoverer::RunCoverer(const layout::LayoutProblem& problem, std::vector<int> lengths,
+                       CoverCosts costs)
+    : problem_(&problem), lengths_(std::move(lengths)), costs_(costs) {}
+
+std::size_t RunCoverer::beamIndex(int start, std::size_t length, int layer) const {
+  return (at(start + 1) * lengths_.size() + length) * at(kLayerCount) + at(layer + kMaxLayer);
+}
+
+int RunCoverer::stateOf(int last, int layer) const {
+  return (last + 1) * kLayerCount + layer + kMaxLayer;
+}
+
+bool RunCoverer::mayStart(int start) const {
+  return start == 0 || (start == -1 && !exact_) || (start == 1 && mixed_[1] != 0);
+}
+
+bool RunCoverer::mayEnd(int last) const {
+  return last == edges_ || (last == edges_ + 1 && !exact_) ||
+         (last == edges_ - 1 && mixed_[at(edges_ + 1)] != 0);
+}
+
+double RunCoverer::stackCost(std::size_t place, unsigned own) const {
+  const int with = stackViolations(otherLayers_[place] | own);
+  return with == 0 ? 0.0 : costs_.violation * stackWeights_[place] * static_cast<double>(with);
+}
+
+void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis axis) {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  for (std::size_t j = 0; j < guideRun.junctions.size(); ++j) {
+    const guide::Junction& junction = problem_->graph.junctions[at(guideRun.junctions[j])];
+    unsigned others = 0;
+    bool mixed = false;
+    for (const guide::Incidence& incidence : junction.incident) {
+      const Cover& cover = layout.run(incidence.run).cover;
+      if (incidence.run == run) {
+        continue;
+      }
+      if (cover.axis != axis) {
+        mixed = true;
+        continue;
+      }
+      for (const Beam& beam : cover.beams) {
+        if (beam.start <= incidence.index && beam.last() >= incidence.index) {
+          others |= bit(beam.layer);
+        }
+      }
+    }
+    const int node = guideRun.junctionIndices[j];
+    mixed_[at(node + 1)] = mixed && junction.bridgeable && junction.joint < 0 ? 1 : 0;
+    junctionPlaces_[at(node + 1)] = static_cast<int>(otherLayers_.size());
+    otherLayers_.push_back(others);
+    stackWeights_.push_back(layout.junctionWeights()[at(guideRun.junctions[j])]);
+  }
+}
+
+void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
+  const guide::GuidingGraph& graph = problem_->graph;
+  const guide::GuideRun& guideRun = graph.runs[at(run)];
+  const int low = -1;
+  const int high = edges_ + 1;
+  for (const int other : guideRun.near) {
+    const Cover& cover = layout.run(other).cover;
+    for (const Beam& beam : cover.beams) {
+      const layout::Stadium theirs =
+          layout::stadiumOf(graph, graph.runs[at(other)], cover.axis, beam);
+      for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+        const auto hits = [&](int first, int last) {
+          return overlap(layout::stadiumOf(graph, guideRun, axis, {first, last - first + 1, layer}),
+                         theirs);
+        };
+        if (!hits(low, high)) {
+          continue;
+        }
+        // Where beads of the run touch the other beam is an interval: find the first end and the last
+        // start that still touch it.
+        int firstEnd = low;
+        int below = high;
+        while (firstEnd < below) {
+          const int middle = firstEnd + (below - firstEnd) / 2;
+          (hits(low, middle) ? below : firstEnd) = hits(low, middle) ? middle : middle + 1;
+        }
+        int lastStart = high;
+        int above = low;
+        while (above < lastStart) {
+          const int middle = lastStart - (lastStart - above) / 2;
+          (hits(middle, high) ? above : lastStart) = hits(middle, high) ? middle : middle - 1;
+        }
+        const double weight =
+            0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
+        for (int start = low; start <= std::min(lastStart, edges_); ++start) {
+          for (std::size_t n = 0; n < lengths_.size(); ++n) {
+            if (start + lengths_[n] - 1 >= firstEnd && start + lengths_[n] - 1 <= high) {
+              beamCost_[beamIndex(start, n, layer)] += costs_.violation * weight;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) {
+  const guide::GuidingGraph& graph = problem_->graph;
+  const guide::GuideRun& guideRun = graph.runs[at(run)];
+  const bool restricted = graph.ground.has_value() || !graph.keepOut.empty();
+  for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+    std::vector<int> forbidden(at(edges_ + 4), 0);
+    for (int i = -1; i <= edges_ + 1 && restricted; ++i) {
+      const bool bad =
+          layout::forbiddenAt(graph, layout::holePosition(graph, guideRun, axis, i, layer));
+      forbidden[at(i + 2)] = forbidden[at(i + 1)] + (bad ? 1 : 0);
+    }
+    for (int start = -1; start <= edges_; ++start) {
+      double nodeCosts = 0.0;
+      int node = start;
+      for (std::size_t n = 0; n < lengths_.size(); ++n) {
+        const int last = start + lengths_[n] - 1;
+        if (last > edges_ + 1) {
+          break;
+        }
+        for (; node <= last; ++node) {
+          const int place = junctionPlaces_[at(node + 1)];
+          nodeCosts += place < 0 ? 0.0 : stackCost(at(place), bit(layer));
+        }
+        double cost = costs_.beam * static_cast<double>(layout::partsOfBeam(lengths_[n])) +
+                      costs_.hole * static_cast<double>(lengths_[n]) +
+                      costs_.layer * static_cast<double>(layer < 0 ? -layer : layer) +
+                      costs_.layerHole * static_cast<double>(lengths_[n] * layer * layer) +
+                      nodeCosts + noise * rng->unit();
+        cost += start < 0 ? costs_.overhang : 0.0;
+        cost += last > edges_ ? costs_.overhang : 0.0;
+        if (restricted) {
+          cost += kForbidden * static_cast<double>(forbidden[at(last + 2)] - forbidden[at(start + 1)]);
+        }
+        cost += exact_ && layer != 0 ? kForbidden : 0.0;
+        beamCost_[beamIndex(start, n, layer)] += cost;
+      }
+    }
+  }
+}
+
+void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  edges_ = guideRun.edgeCount();
+  exact_ = guideRun.exact;
+  beamCost_.assign(at(edges_ + 2) * lengths_.size() * at(kLayerCount), 0.0);
+  value_.assign(at((edges_ + 3) * kLayerCount), kNever);
+  choice_.assign(value_.size(), Choice{});
+  mixed_.assign(at(edges_ + 4), 0);
+  junctionPlaces_.assign(at(edges_ + 4), -1);
+  otherLayers_.clear();
+  stackWeights_.clear();
+  addJunctionCosts(layout, run, axis);
+  addBlockers(layout, run, axis);
+}
+
+//! Tries every beam from `start` after `state`; overlapFrom..last of the state are shared nodes.
+void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
+  const int previousLast = state < 0 ? start - 1 : state / kLayerCount - 1;
+  const double base = state < 0 ? 0.0 : value_[at(state)];
+  for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+    double joint = 0.0;
+    if (state >= 0 && overlapFrom <= previousLast) {
+      const bool bridged = overlapFrom == previousLast && mixed_[at(previousLast + 1)] != 0;
+      if (layer == fromLayer || (!bridged && layer != fromLayer - 1 && layer != fromLayer + 1)) {
+        continue;
+      }
+      joint += overlapFrom == previousLast ? costs_.hinge : 0.0;
+      for (int node = overlapFrom; node <= previousLast; ++node) {
+        const int place = junctionPlaces_[at(node + 1)];
+        if (place >= 0) {
+          joint += stackCost(at(place), bit(layer) | bit(fromLayer)) -
+                   stackCost(at(place), bit(layer)) - stackCost(at(place), bit(fromLayer));
+        }
+      }
+    }
+    for (std::size_t n = 0; n < lengths_.size(); ++n) {
+      const int last = start + lengths_[n] - 1;
+      if (last > edges_ + 1 || (last > edges_ && exact_)) {
+        break;
+      }
+      if (last <= previousLast) {
+        continue;
+      }
+      const int next = stateOf(last, layer);
+      const double value = base + joint + beamCost_[beamIndex(start, n, layer)];
+      if (value < value_[at(next)]) {
+        value_[at(next)] = value;
+        choice_[at(next)] = {state, start};
+      }
+    }
+  }
+}
+
+void RunCoverer::extendFrom(int last, int layer) {
+  const int state = stateOf(last, layer);
+  if (value_[at(state)] >= kNever || last >= edges_) {
+    return;
+  }
+  for (int shared = 1; shared <= kMostOverlap && last - shared + 1 >= 0; ++shared) {
+    relax(state, last - shared + 1, layer, last - shared + 1);
+  }
+  const bool here = last >= 0 && mixed_[at(last + 1)] != 0;
+  const bool next = mixed_[at(last + 2)] != 0;
+  if ((here || next) && last + 1 <= edges_) {
+    relax(state, last + 1, layer, last + 1);
+  }
+  if (next && last + 2 <= edges_) {
+    relax(state, last + 2, layer, last + 2);
+  }
+}
+
+std::optional<Cover> RunCoverer::propose(const layout::Layout& layout, int run, Axis axis,
+                                         double noise, base::Rng* rng) {
+  prepare(layout, run, axis);
+  addBeamCosts(run, axis, noise, rng);
+  for (int start = -1; start <= 1 && start < edges_ + 1; ++start) {
+    if (mayStart(start)) {
+      relax(-1, start, 0, start);
+    }
+  }
+  int best = -1;
+  for (int last = 0; last <= edges_ + 1; ++last) {
+    for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+      extendFrom(last, layer);
+      const int state = stateOf(last, layer);
+      if (mayEnd(last) && value_[at(state)] < kNever &&
+          (best < 0 || value_[at(state)] < value_[at(best)])) {
+        best = state;
+      }
+    }
+  }
+  if (best < 0) {
+    return std::nullopt;
+  }
+  Cover cover;
+  cover.axis = axis;
+  for (int state = best; state >= 0; state = choice_[at(state)].previous) {
+    const int last = state / kLayerCount - 1;
+    const int layer = state % kLayerCount - kMaxLayer;
+    const int start = choice_[at(state)].start;
+    cover.beams.push_back({start, last - start + 1, layer});
+  }
+  std::reverse(cover.beams.begin(), cover.beams.end());
+  return cover;
+}
+
+}  // namespace liftarm::search
