@@ -342,8 +342,3 @@ const EN = {
 
 /** The words in use. */
 export const text = EN;
-
-/** Puts values into the places `{name}` of a sentence. */
-export function fill(sentence: string, values: Readonly<Record<string, string | number>>): string {
-  return sentence.replace(/\{(\w+)\}/g, (whole, key: string) => String(values[key] ?? whole));
-}

@@ -1,0 +1,99 @@
+import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { PartCount } from '../model/counts.ts';
+import type { CheckItem, Problem, Report } from '../model/report.ts';
+import type { SketchDocument } from '../model/sketch.ts';
+import type { SolveProgress } from '../solver/protocol.ts';
+import type { Preferences } from '../state/preferences.ts';
+import type { SketchStore } from '../state/store.ts';
+import type { Tool, ToolId } from '../tools/tool.ts';
+import type { CommandTable } from './command.ts';
+
+/** How the last search ended, or that one is under way. */
+export type SolvePhase = 'idle' | 'solving' | 'solved' | 'cancelled' | 'refused' | 'failed';
+
+/** One point of the chart. */
+export interface ChartPoint {
+  readonly iterations: number;
+  readonly objective: number;
+}
+
+/** What the solve section shows. */
+export interface SolveState {
+  readonly phase: SolvePhase;
+  readonly progress: SolveProgress | null;
+  readonly chart: readonly ChartPoint[];
+  /** One sentence for `refused`, `failed` and `cancelled`. */
+  readonly message: string;
+}
+
+/** A part of the parts list with what is needed to show it. */
+export interface PartRow extends PartCount {
+  readonly name: string;
+  readonly colourName: string;
+  /** CSS colour. */
+  readonly swatch: string;
+}
+
+/** The result that is on screen. */
+export interface ResultState {
+  readonly source: 'search' | 'file';
+  readonly name: string;
+  readonly report: Report;
+  readonly items: readonly CheckItem[];
+  readonly problems: readonly Problem[];
+  readonly buildable: boolean;
+  readonly rows: readonly PartRow[];
+  readonly bricks: number;
+  /** False while the search that made it is still under way. */
+  readonly final: boolean;
+}
+
+export interface Example {
+  readonly file: string;
+  readonly title: string;
+  readonly description: string;
+  readonly sketch: SketchDocument;
+}
+
+export interface Toast {
+  readonly id: number;
+  readonly kind: 'info' | 'error';
+  readonly message: string;
+}
+
+export type DialogName = 'palette' | 'help' | 'examples' | 'about' | null;
+
+/** Everything that the panels read, and the few things they do that are no commands. */
+export interface Page {
+  readonly commands: CommandTable;
+  readonly store: SketchStore;
+  readonly preferences: Signal<Preferences>;
+  readonly tool: ReadonlySignal<Tool>;
+  readonly solve: ReadonlySignal<SolveState>;
+  readonly result: ReadonlySignal<ResultState | null>;
+  /** The model was made for another sketch than the one on screen. */
+  readonly stale: ReadonlySignal<boolean>;
+  /** The sketch is small enough to be solved after each edit. */
+  readonly small: ReadonlySignal<boolean>;
+  readonly explode: Signal<number>;
+  readonly examples: ReadonlySignal<readonly Example[] | null>;
+  readonly dialog: Signal<DialogName>;
+  readonly toasts: ReadonlySignal<readonly Toast[]>;
+  readonly announcement: ReadonlySignal<string>;
+  readonly panelOpen: Signal<boolean>;
+  readonly dropping: ReadonlySignal<boolean>;
+  readonly webglMissing: ReadonlySignal<boolean>;
+  readonly focusedProblem: ReadonlySignal<number | null>;
+  readonly hoveredPart: ReadonlySignal<string | null>;
+  readonly mac: boolean;
+  /** Gives the element that the scene is drawn into. @returns what to do when it goes away. */
+  mountScene(host: HTMLElement): () => void;
+  useTool(id: ToolId): void;
+  openExample(example: Example): void;
+  openFile(file: File): void;
+  focusProblem(index: number): void;
+  rename(name: string): void;
+  dismissToast(id: number): void;
+  /** Typed into the length field of the options bar. */
+  typeLength(value: string): void;
+}

@@ -1,0 +1,107 @@
+import { CommandButton, Section } from './controls.tsx';
+import { Icon } from './icon.tsx';
+import type { PartRow, ResultState } from './page.ts';
+import { usePage } from './page-context.ts';
+import { ResultSection } from './result-section.tsx';
+import { SettingsSection } from './settings-section.tsx';
+import { SolveSection } from './solve-section.tsx';
+import { plural, text } from './text.ts';
+
+/** The right side: search, result, parts, downloads and settings. A sheet on a phone. */
+export function Panel() {
+  const { panelOpen, result } = usePage();
+  const shown = result.value;
+  return (
+    <aside class={panelOpen.value ? 'panel open' : 'panel'} aria-label={text.app.panel}>
+      <button
+        type="button"
+        class="panel-handle narrow-only"
+        aria-expanded={panelOpen.value}
+        aria-label={panelOpen.value ? text.app.hidePanel : text.app.showPanel}
+        onClick={() => {
+          panelOpen.value = !panelOpen.value;
+        }}
+      >
+        <Icon name="chevron" />
+      </button>
+      <div class="panel-body">
+        <SolveSection />
+        <ResultSection />
+        {shown?.final ? <Downloads /> : null}
+        {shown?.final ? <Checks result={shown} /> : null}
+        {shown?.final ? <Parts result={shown} /> : null}
+        <SettingsSection />
+      </div>
+    </aside>
+  );
+}
+
+function Downloads() {
+  return (
+    <section class="downloads" aria-label={text.result.downloads}>
+      <CommandButton id="saveMpd" words={text.result.mpd} class="secondary" />
+      <CommandButton id="saveModel" words={text.result.model} class="secondary" />
+      <CommandButton id="saveParts" words={text.result.csv} class="secondary" />
+      <CommandButton id="savePicture" words={text.result.picture} class="secondary" />
+    </section>
+  );
+}
+
+function Checks({ result }: { readonly result: ResultState }) {
+  if (result.items.length === 0) {
+    return null;
+  }
+  const good = result.items.filter((item) => item.ok).length;
+  return (
+    <Section title={text.result.checks} note={`${good} / ${result.items.length}`}>
+      <ul class="checks">
+        {result.items.map((item) => (
+          <li key={item.id} class={item.ok ? 'ok' : 'bad'}>
+            <Icon name={item.ok ? 'check' : 'alert'} />
+            <div>
+              {item.title}
+              {item.detail ? <p class="quiet">{item.detail}</p> : null}
+            </div>
+          </li>
+        ))}
+      </ul>
+    </Section>
+  );
+}
+
+function Parts({ result }: { readonly result: ResultState }) {
+  return (
+    <Section title={text.result.parts} note={plural(result.bricks, 'brick', 'bricks')} open={true}>
+      <table class="parts">
+        <thead class="visually-hidden">
+          <tr>
+            <th scope="col">{text.result.count}</th>
+            <th scope="col">{text.result.colour}</th>
+            <th scope="col">{text.result.part}</th>
+          </tr>
+        </thead>
+        <tbody>
+          {result.rows.map((row) => (
+            <PartLine key={`${row.part}/${row.color}`} row={row} />
+          ))}
+        </tbody>
+      </table>
+    </Section>
+  );
+}
+
+function PartLine({ row }: { readonly row: PartRow }) {
+  const hovered = usePage().hoveredPart.value === row.part;
+  return (
+    <tr class={hovered ? 'hovered' : ''}>
+      <td class="count">{row.count}×</td>
+      <td>
+        <span class="swatch" style={{ background: row.swatch }} title={row.colourName} />
+        <span class="visually-hidden">{row.colourName}</span>
+      </td>
+      <td>
+        {row.name} <span class="quiet">{row.part}</span>
+      </td>
+    </tr>
+  );
+}

@@ -1,0 +1,50 @@
+import { About } from './about.tsx';
+import { Examples } from './examples.tsx';
+import { Help } from './help.tsx';
+import type { Page } from './page.ts';
+import { PageProvider, usePage } from './page-context.ts';
+import { Palette } from './palette.tsx';
+import { Panel } from './panel.tsx';
+import { Stage } from './stage.tsx';
+import { text } from './text.ts';
+import { Toasts } from './toasts.tsx';
+import { ToolRail } from './tool-rail.tsx';
+import { TopBar } from './top-bar.tsx';
+
+/** The whole page. */
+export function Root({ page }: { readonly page: Page }) {
+  return (
+    <PageProvider value={page}>
+      <button
+        type="button"
+        class="skip"
+        onClick={() => document.querySelector<HTMLElement>('.scene canvas')?.focus()}
+      >
+        {text.app.skip}
+      </button>
+      <TopBar />
+      <div class="work">
+        <ToolRail />
+        <Stage />
+        <Panel />
+      </div>
+      <Toasts />
+      <Dialogs />
+    </PageProvider>
+  );
+}
+
+function Dialogs() {
+  switch (usePage().dialog.value) {
+    case 'palette':
+      return <Palette />;
+    case 'help':
+      return <Help />;
+    case 'examples':
+      return <Examples />;
+    case 'about':
+      return <About />;
+    case null:
+      return null;
+  }
+}

@@ -1,0 +1,43 @@
+/** The parts of a keyboard event that decide on a shortcut. */
+export interface KeyPress {
+  readonly key: string;
+  readonly ctrlKey: boolean;
+  readonly metaKey: boolean;
+  readonly shiftKey: boolean;
+  readonly altKey: boolean;
+}
+
+const SYMBOLS: Readonly<Record<string, string>> = {
+  Mod: '⌘',
+  Shift: '⇧',
+  Alt: '⌥',
+  Enter: '↵',
+  Delete: '⌦',
+  Escape: 'Esc',
+};
+
+/** Whether a key press is the shortcut `Mod+Shift+K`. Letters match in either case. */
+export function matchesShortcut(press: KeyPress, shortcut: string, mac: boolean): boolean {
+  const parts = shortcut.split('+');
+  const key = parts.at(-1) ?? '';
+  const mod = mac ? press.metaKey : press.ctrlKey;
+  const other = mac ? press.ctrlKey : press.metaKey;
+  return (
+    press.key.toLowerCase() === key.toLowerCase() &&
+    mod === parts.includes('Mod') &&
+    !other &&
+    press.altKey === parts.includes('Alt') &&
+    // A sign such as ? needs Shift on some keyboards and not on others.
+    (press.shiftKey === parts.includes('Shift') || /^[^a-z0-9]$/i.test(key))
+  );
+}
+
+/** The keys of a shortcut as they stand on the keyboard. */
+export function shortcutKeys(shortcut: string, mac: boolean): string[] {
+  return shortcut.split('+').map((part) => {
+    if (mac) {
+      return SYMBOLS[part] ?? part;
+    }
+    return part === 'Mod' ? 'Ctrl' : part === 'Escape' ? 'Esc' : part;
+  });
+}

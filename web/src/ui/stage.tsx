@@ -1,0 +1,70 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { Icon } from './icon.tsx';
+import { usePage } from './page-context.ts';
+import { text } from './text.ts';
+import { ToolOptions } from './tool-options.tsx';
+import { ViewBar } from './view-bar.tsx';
+
+/** The drawing with what floats over it. */
+export function Stage() {
+  const page = usePage();
+  const host = useRef<HTMLDivElement>(null);
+  useEffect(() => (host.current ? page.mountScene(host.current) : undefined), [page]);
+  return (
+    <main class="stage" aria-label={text.app.drawing}>
+      <div ref={host} class="scene" />
+      {page.webglMissing.value ? (
+        <p class="note bad no-webgl" role="alert">
+          {text.app.noWebgl}
+        </p>
+      ) : null}
+      <SelectionBox />
+      <ToolOptions />
+      <Hint />
+      <ViewBar />
+      {page.dropping.value ? (
+        <div class="drop-veil">
+          <Icon name="open" />
+          {text.files.drop}
+        </div>
+      ) : null}
+      <p class="visually-hidden" id="drawing-help">
+        {text.app.drawingHelp}
+      </p>
+      <p class="visually-hidden" aria-live="polite" data-testid="announcer">
+        {page.announcement.value}
+      </p>
+    </main>
+  );
+}
+
+function Hint() {
+  const page = usePage();
+  const empty = page.store.sketch.value.lines.length === 0;
+  const tool = page.tool.value;
+  const { lock } = tool.overlay.value;
+  const hint = empty && tool.id === 'select' ? text.hints.empty : tool.hint.value;
+  return (
+    <p class="hint floating">
+      {lock ? <span class={`lock axis-${lock}`}>{lock.toUpperCase()}</span> : null}
+      <span>{hint}</span>
+    </p>
+  );
+}
+
+function SelectionBox() {
+  const { box } = usePage().tool.value.overlay.value;
+  if (!box) {
+    return null;
+  }
+  const left = Math.min(box.from.x, box.to.x);
+  const top = Math.min(box.from.y, box.to.y);
+  const width = Math.abs(box.to.x - box.from.x);
+  const height = Math.abs(box.to.y - box.from.y);
+  return (
+    <div
+      class="selection-box"
+      style={{ left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px` }}
+    />
+  );
+}

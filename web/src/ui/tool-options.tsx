@@ -1,0 +1,91 @@
+import type { PlaneMode } from '../tools/tool.ts';
+import { CommandButton, Segmented } from './controls.tsx';
+import { usePage } from './page-context.ts';
+import { text } from './text.ts';
+
+const PLANES: readonly { value: PlaneMode; label: string; command: string }[] = [
+  { value: 'auto', label: text.draw.auto, command: 'planeAuto' },
+  { value: 'z', label: text.draw.planeXY, command: 'planeXY' },
+  { value: 'x', label: text.draw.planeYZ, command: 'planeYZ' },
+  { value: 'y', label: text.draw.planeZX, command: 'planeZX' },
+];
+
+const SELECTION_COMMANDS = [
+  'duplicate',
+  'mirrorX',
+  'rotateZ',
+  'exact',
+  'holeAxisX',
+  'holeAxisY',
+  'holeAxisZ',
+  'delete',
+] as const;
+
+/** What goes with the tool in use: the plane and the length, or what can be done to the selection. */
+export function ToolOptions() {
+  const page = usePage();
+  const tool = page.tool.value;
+  const drawing = tool.id !== 'select' && tool.id !== 'split' && tool.id !== 'joint';
+  const selected = page.store.selection.value.size;
+  if (drawing) {
+    return (
+      <div class="tool-options floating">
+        <PlaneChoice />
+        <LengthField />
+      </div>
+    );
+  }
+  if (tool.id === 'select' && selected > 0) {
+    return (
+      <div class="tool-options floating" role="toolbar" aria-label={text.groups.edit}>
+        <span class="selection-count">{selected}</span>
+        {SELECTION_COMMANDS.map((id) => (
+          <CommandButton key={id} id={id} />
+        ))}
+      </div>
+    );
+  }
+  return null;
+}
+
+function PlaneChoice() {
+  const { commands } = usePage();
+  const now = PLANES.find((plane) => commands.get(plane.command).checked?.());
+  return (
+    <Segmented
+      name="plane"
+      legend={text.draw.plane}
+      choices={PLANES}
+      value={now?.value ?? 'auto'}
+      onChange={(value) => {
+        const plane = PLANES.find((each) => each.value === value);
+        if (plane) {
+          commands.run(plane.command);
+        }
+      }}
+    />
+  );
+}
+
+function LengthField() {
+  const page = usePage();
+  const { typed, preview, label } = page.tool.value.overlay.value;
+  return (
+    <label class="length-field">
+      <span>{text.draw.length}</span>
+      <input
+        inputMode="numeric"
+        autocomplete="off"
+        value={typed}
+        placeholder={label?.main ?? '–'}
+        disabled={!preview}
+        onInput={(event) => page.typeLength(event.currentTarget.value)}
+        onKeyDown={(event) => {
+          if (event.key === 'Enter') {
+            page.tool.value.key({ key: 'Enter', shift: false });
+          }
+        }}
+      />
+    </label>
+  );
+}
