@@ -55,6 +55,8 @@ export interface Part {
   readonly stretches: readonly Stretch[];
   /** Body only, without the heads of `features`. */
   readonly solid: readonly Prism[];
+  /** Wide rings on pins and axles: they fill the counterbore of the hole next to them. */
+  readonly collars: readonly Prism[];
   readonly boundsMin: Vec3;
   readonly boundsMax: Vec3;
 }
@@ -73,6 +75,48 @@ export class Catalogue {
   find(id: string): Part | undefined {
     return this.#byId.get(id);
   }
+}
+
+/** The catalogue as core/parts/catalogue.json holds it. */
+export interface CatalogueFile {
+  readonly format: string;
+  readonly version: number;
+  readonly parts: readonly CatalogueEntry[];
+}
+
+/** One part as the file holds it: `class` for partClass, `bounds` for both corners. */
+interface CatalogueEntry extends Omit<Part, 'partClass' | 'boundsMin' | 'boundsMax'> {
+  readonly class: PartClass;
+  readonly bounds: { readonly min: Vec3; readonly max: Vec3 };
+}
+
+/**
+ * The catalogue from its file.
+ * @throws Error when the text is not a catalogue: it is our own data, so that is a broken build.
+ */
+export function readCatalogue(file: unknown): Catalogue {
+  if (!isCatalogueFile(file)) {
+    throw new Error('The part catalogue is not in its expected form.');
+  }
+  return new Catalogue(
+    file.parts.map(({ class: partClass, bounds, ...rest }) => ({
+      ...rest,
+      partClass,
+      boundsMin: bounds.min,
+      boundsMax: bounds.max,
+    })),
+  );
+}
+
+function isCatalogueFile(file: unknown): file is CatalogueFile {
+  return (
+    typeof file === 'object' &&
+    file !== null &&
+    'format' in file &&
+    file.format === 'liftarm-catalogue' &&
+    'parts' in file &&
+    Array.isArray(file.parts)
+  );
 }
 
 export function isMale(kind: FeatureKind): boolean {

@@ -80,18 +80,22 @@ export function luminance(hex: number): number {
   return 0.2126 * channel(16) + 0.7152 * channel(8) + 0.0722 * channel(0);
 }
 
+/** A mix of two sRGB values: `a` at amount 0, `b` at amount 1. */
+export function mixHex(a: number, b: number, amount: number): number {
+  const mix = (shift: number): number => {
+    const from = (a >> shift) & 0xff;
+    const to = (b >> shift) & 0xff;
+    return Math.round(from + (to - from) * amount) << shift;
+  };
+  return mix(16) | mix(8) | mix(0);
+}
+
 /**
  * Colour of the drawn edges of a brick: a darker shade of light bricks, a lighter shade of dark
  * ones, so that black parts keep their lines, as in printed instructions.
  */
 export function edgeHex(hex: number): number {
-  const dark = luminance(hex) < 0.06;
-  const mix = (shift: number): number => {
-    const value = (hex >> shift) & 0xff;
-    const target = dark ? value + (255 - value) * 0.42 : value * 0.28;
-    return Math.round(target) << shift;
-  };
-  return mix(16) | mix(8) | mix(0);
+  return luminance(hex) < 0.06 ? mixHex(hex, 0xffffff, 0.42) : mixHex(hex, 0x000000, 0.72);
 }
 
 /**

@@ -39,7 +39,11 @@ export interface Report {
   readonly problems?: readonly Problem[];
   readonly objective?: number;
   readonly iterations?: number;
-  readonly seconds?: { readonly stageOne: number; readonly stageTwo: number; readonly total: number };
+  readonly seconds?: {
+    readonly stageOne: number;
+    readonly stageTwo: number;
+    readonly total: number;
+  };
   readonly beamsLowerBound?: number;
   /** Grams. */
   readonly mass?: number;

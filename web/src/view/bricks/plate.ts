@@ -1,6 +1,12 @@
 import { ShapeUtils, Vector2 } from 'three';
 import type { Vec3 } from '../../model/vec.ts';
-import { directionToPart, type Frame, type MeshBuilder, type Point2, toPart } from './mesh-builder.ts';
+import {
+  directionToPart,
+  type Frame,
+  type MeshBuilder,
+  type Point2,
+  toPart,
+} from './mesh-builder.ts';
 import { type BarGraph, type Outline, outlineBars, signedArea } from './outline.ts';
 
 /** A flat body: bars of one height about a frame's xy plane, with openings through both faces. */
@@ -34,7 +40,7 @@ export function addPlate(
       : outer;
   const wallTop = shape.halfHeight - style.rounding;
   outer.forEach((outline, i) => {
-    addWall(builder, frame, outline, wallTop, style);
+    addWall(builder, frame, { outline, height: wallTop }, style.silhouettes);
     const rim = inner[i] ?? outline;
     for (const side of [1, -1] as const) {
       if (style.rounding > 0) {
@@ -52,10 +58,10 @@ export function addPlate(
 function addWall(
   builder: MeshBuilder,
   frame: Frame,
-  outline: Outline,
-  height: number,
-  style: PlateStyle,
+  wall: { readonly outline: Outline; readonly height: number },
+  silhouettes: boolean,
 ): void {
+  const { outline, height } = wall;
   outline.forEach((vertex, i) => {
     const next = outline[(i + 1) % outline.length] ?? vertex;
     const low = builder.vertex(at(frame, vertex.point, -height), normal(frame, vertex.after));
@@ -63,7 +69,7 @@ function addWall(
     builder.vertex(at(frame, next.point, height), normal(frame, next.before));
     builder.vertex(at(frame, vertex.point, height), normal(frame, vertex.after));
     builder.quad(low, low + 1, low + 2, low + 3);
-    addUprightLine(builder, frame, { outline, index: i, height }, style.silhouettes);
+    addUprightLine(builder, frame, { outline, index: i, height }, silhouettes);
   });
 }
 

@@ -1,5 +1,11 @@
 import type { Vec3 } from '../../model/vec.ts';
-import { directionToPart, type Frame, type MeshBuilder, type Point2, toPart } from './mesh-builder.ts';
+import {
+  directionToPart,
+  type Frame,
+  type MeshBuilder,
+  type Point2,
+  toPart,
+} from './mesh-builder.ts';
 
 /** A surface of revolution about a frame's z axis. */
 export interface RevolveOptions {
@@ -128,7 +134,10 @@ function addBand(
     }
     previous = current;
   }
-  if (options.silhouettes && Math.hypot(high[0] - low[0], high[1] - low[1]) > MIN_SILHOUETTE_LENGTH) {
+  if (
+    options.silhouettes &&
+    Math.hypot(high[0] - low[0], high[1] - low[1]) > MIN_SILHOUETTE_LENGTH
+  ) {
     addSilhouettes(builder, frame, run);
   }
 }
@@ -180,8 +189,7 @@ function addRims(
     const before = normals[i - 1];
     const after = normals[i];
     const isEnd = !before || !after;
-    const sharp =
-      isEnd || before[0] * after[0] + before[1] * after[1] < SMOOTH_COS;
+    const sharp = isEnd || before[0] * after[0] + before[1] * after[1] < SMOOTH_COS;
     if (radius > 0 && sharp && (!isEnd || rims === 'corners-and-ends')) {
       builder.hardPolyline(circlePoints(frame, radius, height, angles));
     }

@@ -1,0 +1,68 @@
+import { BufferAttribute, BufferGeometry } from 'three';
+import type { Catalogue } from '../../model/catalogue.ts';
+import type { DetailName } from './detail.ts';
+import type { BrickMesh } from './mesh-builder.ts';
+import { buildPartMesh } from './part-mesh.ts';
+
+/** Surface and lines of one part at one level of detail, ready to be drawn many times. */
+export interface BrickGeometry {
+  readonly surface: BufferGeometry;
+  /** `position`, `normal1`, `normal2` at line ends; see BrickMesh. */
+  readonly lines: BufferGeometry;
+  readonly mesh: BrickMesh;
+}
+
+/** Builds each part's geometry when it is first asked for and keeps it. */
+export class BrickLibrary {
+  readonly catalogue: Catalogue;
+  readonly #cache = new Map<string, BrickGeometry>();
+
+  constructor(catalogue: Catalogue) {
+    this.catalogue = catalogue;
+  }
+
+  /** The geometry of a part, or null when the catalogue does not have it. */
+  get(id: string, detail: DetailName): BrickGeometry | null {
+    const key = `${id}/${detail}`;
+    const known = this.#cache.get(key);
+    if (known) {
+      return known;
+    }
+    const part = this.catalogue.find(id);
+    if (!part) {
+      return null;
+    }
+    const geometry = toGeometry(buildPartMesh(part, detail));
+    this.#cache.set(key, geometry);
+    return geometry;
+  }
+
+  dispose(): void {
+    for (const { surface, lines } of this.#cache.values()) {
+      surface.dispose();
+      lines.dispose();
+    }
+    this.#cache.clear();
+  }
+}
+
+function toGeometry(mesh: BrickMesh): BrickGeometry {
+  const surface = new BufferGeometry();
+  surface.setAttribute('position', new BufferAttribute(mesh.positions, 3));
+  surface.setAttribute('normal', new BufferAttribute(mesh.normals, 3));
+  surface.setAttribute('color', new BufferAttribute(greys(mesh.shades), 3));
+  surface.setIndex(new BufferAttribute(mesh.indices, 1));
+  const lines = new BufferGeometry();
+  lines.setAttribute('position', new BufferAttribute(mesh.linePositions, 3));
+  lines.setAttribute('normal1', new BufferAttribute(mesh.lineNormals1, 3));
+  lines.setAttribute('normal2', new BufferAttribute(mesh.lineNormals2, 3));
+  return { surface, lines, mesh };
+}
+
+function greys(shades: Float32Array): Float32Array {
+  const colours = new Float32Array(shades.length * 3);
+  shades.forEach((shade, i) => {
+    colours.fill(shade, i * 3, i * 3 + 3);
+  });
+  return colours;
+}

@@ -1,0 +1,225 @@
+import { type Detail, DIMENSIONS } from './detail.ts';
+import { type Frame, type MeshBuilder, type Point2, toPart } from './mesh-builder.ts';
+import { addRevolved } from './revolve.ts';
+
+/** One end of a pin: it grows along the frame's z axis, from 0 to `length`. */
+export interface PinHead {
+  readonly length: number;
+  /** A collar stands at the foot and fills the counterbore there. */
+  readonly collar: boolean;
+  /** The bore goes on behind the foot (a pin with two heads) or ends in the body. */
+  readonly bore: 'through' | 'blind';
+  readonly friction: boolean;
+}
+
+/** Measures of a head in modules. */
+const HEAD = {
+  lipBottom: 0.15,
+  lipLow: 0.09,
+  lipHigh: 0.03,
+  tipRadius: 0.298,
+  slotDepth: 0.7,
+  slotHalfAngle: 0.22,
+  boreFloor: 0.15,
+  ridgeFrom: 0.2,
+  ridgeTo: 0.55,
+  ridgeRadius: 0.303,
+  ridgeHalfWidth: 0.025,
+} as const;
+
+const SHADE = { bore: 0.3, mouth: 0.7, slot: 0.45 } as const;
+
+/** Adds one head of a pin: shaft, lip, bore, and in high detail the slot and the friction ridges. */
+export function addPinHead(
+  builder: MeshBuilder,
+  frame: Frame,
+  head: PinHead,
+  detail: Detail,
+): void {
+  const foot = footProfile(head);
+  const tip = tipProfile(head.length, detail);
+  const join = detail.pinDetails ? head.length - HEAD.slotDepth : (tip[0]?.[1] ?? 0);
+  const shaft: Point2[] = [...foot, [DIMENSIONS.pinRadius, join]];
+  const common = { segments: detail.segments, silhouettes: detail.silhouettes };
+  addRevolved(builder, frame, shaft, {
+    ...common,
+    rims: head.collar ? 'corners-and-ends' : 'corners',
+  });
+  if (detail.pinDetails) {
+    addSlottedTip(builder, frame, { tip, join }, detail);
+    if (head.friction) {
+      addRidges(builder, frame, head.collar ? 0 : -HEAD.ridgeFrom);
+    }
+  } else {
+    addRevolved(builder, frame, tip, { ...common, rims: 'corners' });
+  }
+  addBore(builder, frame, head, detail);
+}
+
+function footProfile(head: PinHead): Point2[] {
+  const { pinRadius, collarRadius, collarWidth } = DIMENSIONS;
+  return head.collar
+    ? [
+        [collarRadius, 0],
+        [collarRadius, collarWidth],
+        [pinRadius, collarWidth],
+      ]
+    : [[pinRadius, 0]];
+}
+
+/** From the shaft over the lip to the rim of the bore. */
+function tipProfile(length: number, detail: Detail): Point2[] {
+  const { pinRadius, pinLipRadius, pinBoreRadius } = DIMENSIONS;
+  if (detail.name === 'low') {
+    return [
+      [pinRadius, length - HEAD.lipBottom],
+      [HEAD.tipRadius, length],
+      [pinBoreRadius, length],
+    ];
+  }
+  return [
+    [pinRadius, length - HEAD.lipBottom],
+    [pinLipRadius, length - HEAD.lipLow],
+    [pinLipRadius, length - HEAD.lipHigh],
+    [HEAD.tipRadius, length],
+    [pinBoreRadius, length],
+  ];
+}
+
+/** The part of the head that is slit: two half shells with the slit's sides and floor. */
+function addSlottedTip(
+  builder: MeshBuilder,
+  frame: Frame,
+  shape: { readonly tip: readonly Point2[]; readonly join: number },
+  detail: Detail,
+): void {
+  const { tip, join } = shape;
+  const shell: Point2[] = [[DIMENSIONS.pinRadius, join], ...tip];
+  const bore = DIMENSIONS.pinBoreRadius;
+  for (const middle of [Math.PI / 2, (3 * Math.PI) / 2]) {
+    const half = Math.PI / 2 - HEAD.slotHalfAngle;
+    const arc = [middle - half, middle + half] as const;
+    addRevolved(builder, frame, shell, {
+      segments: detail.segments,
+      rims: 'corners',
+      silhouettes: detail.silhouettes,
+      arc,
+    });
+    const inside: Point2[] = [
+      [bore, tip.at(-1)?.[1] ?? 0],
+      [bore, join],
+    ];
+    addRevolved(builder, frame, inside, {
+      segments: detail.segments,
+      shades: [SHADE.mouth, SHADE.bore],
+      rims: 'corners-and-ends',
+      arc,
+    });
+    for (const [angle, side] of [
+      [arc[0], -1],
+      [arc[1], 1],
+    ] as const) {
+      addSlotSide(builder, frame, { shell, angle, side });
+    }
+  }
+  addSlotFloor(builder, frame, join);
+}
+
+/** The flat side of a slit at an angle; `side` tells which way it looks round the axis. */
+function addSlotSide(
+  builder: MeshBuilder,
+  frame: Frame,
+  wall: { readonly shell: readonly Point2[]; readonly angle: number; readonly side: 1 | -1 },
+): void {
+  const { shell, angle, side } = wall;
+  const bore = DIMENSIONS.pinBoreRadius;
+  const place = (r: number, t: number): readonly [number, number, number] =>
+    toPart(frame, r * Math.cos(angle), r * Math.sin(angle), t);
+  for (let i = 0; i + 2 < shell.length; i++) {
+    const [r0, t0] = shell[i] ?? [0, 0];
+    const [r1, t1] = shell[i + 1] ?? [0, 0];
+    const a = place(bore, t0);
+    const b = place(r0, t0);
+    const c = place(r1, t1);
+    const d = place(bore, t1);
+    builder.flatQuad(side > 0 ? [d, c, b, a] : [a, b, c, d], SHADE.slot);
+    builder.hardLine(b, c);
+  }
+  const top = shell.at(-1)?.[1] ?? 0;
+  builder.hardLine(place(HEAD.tipRadius, top), place(bore, top));
+}
+
+function addSlotFloor(builder: MeshBuilder, frame: Frame, height: number): void {
+  for (const middle of [0, Math.PI]) {
+    addRevolved(
+      builder,
+      frame,
+      [
+        [DIMENSIONS.pinRadius, height],
+        [DIMENSIONS.pinBoreRadius, height],
+      ],
+      {
+        segments: 16,
+        shades: [SHADE.slot, SHADE.slot],
+        rims: 'none',
+        arc: [middle - HEAD.slotHalfAngle, middle + HEAD.slotHalfAngle],
+      },
+    );
+  }
+}
+
+function addBore(builder: MeshBuilder, frame: Frame, head: PinHead, detail: Detail): void {
+  const bore = DIMENSIONS.pinBoreRadius;
+  const top = detail.pinDetails ? head.length - HEAD.slotDepth : head.length;
+  const floor = head.bore === 'through' ? 0 : HEAD.boreFloor;
+  const wall: Point2[] = [
+    [bore, top],
+    [bore, floor],
+  ];
+  const shades: number[] = [detail.pinDetails ? SHADE.bore : SHADE.mouth, SHADE.bore];
+  if (head.bore === 'blind') {
+    wall.push([0, floor]);
+    shades.push(SHADE.bore);
+  }
+  addRevolved(builder, frame, wall, {
+    segments: Math.max(8, detail.segments / 2),
+    shades,
+    rims: detail.pinDetails ? 'none' : 'corners-and-ends',
+  });
+}
+
+/** Four low ridges along the shaft that hold the pin in its hole. */
+function addRidges(builder: MeshBuilder, frame: Frame, offset: number): void {
+  const { ridgeHalfWidth: w, ridgeRadius: r } = HEAD;
+  const low = HEAD.ridgeFrom + offset;
+  const high = HEAD.ridgeTo + offset;
+  for (let i = 0; i < 4; i++) {
+    const angle = Math.PI / 4 + (i * Math.PI) / 2;
+    const c = Math.cos(angle);
+    const s = Math.sin(angle);
+    const place = (radial: number, across: number, t: number): readonly [number, number, number] =>
+      toPart(frame, radial * c - across * s, radial * s + across * c, t);
+    const inner = DIMENSIONS.pinRadius - 0.01;
+    builder.flatQuad([place(r, -w, low), place(r, w, low), place(r, w, high), place(r, -w, high)]);
+    for (const side of [1, -1] as const) {
+      const a = place(inner, side * w, low);
+      const b = place(inner, side * w, high);
+      const p = place(r, side * w, low);
+      const q = place(r, side * w, high);
+      builder.flatQuad(side > 0 ? [p, a, b, q] : [a, p, q, b]);
+      builder.hardLine(p, q);
+    }
+    builder.flatQuad([
+      place(inner, -w, high),
+      place(r, -w, high),
+      place(r, w, high),
+      place(inner, w, high),
+    ]);
+    builder.flatQuad([
+      place(inner, w, low),
+      place(r, w, low),
+      place(r, -w, low),
+      place(inner, -w, low),
+    ]);
+  }
+}

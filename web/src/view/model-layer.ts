@@ -1,0 +1,230 @@
+import { Group } from 'three';
+import { type Bounds, modelBounds } from '../model/bounds.ts';
+import { colourHex, groupHex, mixHex } from '../model/colours.ts';
+import type { Model, PlacedPart } from '../model/model.ts';
+import { add, ORIGIN, scale, subtract, type Vec3 } from '../model/vec.ts';
+import { type BatchStyle, BrickBatch } from './brick-batch.ts';
+import type { BrickLibrary } from './bricks/brick-library.ts';
+import type { BrickMaterials } from './bricks/brick-materials.ts';
+import type { DetailName } from './bricks/detail.ts';
+import { pickPart } from './part-picking.ts';
+import type { ColourScheme, Isolation, PartPick, Ray } from './view-types.ts';
+
+/** Parts that stand out: hovered and selected ones, by index. */
+export interface PartMarks {
+  readonly selected?: ReadonlySet<number>;
+  readonly hovered?: number | null;
+  readonly errors?: ReadonlySet<number>;
+}
+
+/** How far an exploded model spreads at most, as a multiple of its size. */
+const EXPLODE_SPREAD = 0.9;
+
+/** The placed parts of one model as instanced bricks. */
+export class ModelLayer {
+  readonly group = new Group();
+  readonly #library: BrickLibrary;
+  readonly #materials: BrickMaterials;
+  #model: Model | null = null;
+  #batches: BrickBatch[] = [];
+  #bounds: Bounds | null = null;
+  #detail: DetailName = 'high';
+  #scheme: ColourScheme = 'part';
+  #marks: PartMarks = {};
+  #isolation: Isolation | null = null;
+  #explode = 0;
+  #fade: { readonly towards: number; readonly amount: number } | null = null;
+
+  constructor(library: BrickLibrary, materials: BrickMaterials) {
+    this.#library = library;
+    this.#materials = materials;
+  }
+
+  get model(): Model | null {
+    return this.#model;
+  }
+
+  /** Box around the model as placed, not exploded; null without parts. */
+  get bounds(): Bounds | null {
+    return this.#bounds;
+  }
+
+  get partCount(): number {
+    return this.#model?.parts.length ?? 0;
+  }
+
+  setModel(model: Model | null): void {
+    this.#model = model;
+    this.#bounds = model ? modelBounds(model, this.#library.catalogue) : null;
+    this.#rebuild();
+  }
+
+  /** Mixes all colours towards `towards`; null gives them back. */
+  setFade(fade: { readonly towards: number; readonly amount: number } | null): void {
+    this.#fade = fade;
+    this.#paint();
+  }
+
+  setColourScheme(scheme: ColourScheme): void {
+    this.#scheme = scheme;
+    this.#paint();
+  }
+
+  setMarks(marks: PartMarks): void {
+    this.#marks = marks;
+    this.#paint();
+  }
+
+  setIsolation(isolation: Isolation | null): void {
+    this.#isolation = isolation;
+    this.#rebuild();
+  }
+
+  /** Moves parts apart from the middle of the model. @param amount 0 (as built) to 1. */
+  setExplode(amount: number): void {
+    this.#explode = Math.min(1, Math.max(0, amount));
+    this.#place();
+  }
+
+  /** @returns true when the level changed. */
+  setDetail(detail: DetailName): boolean {
+    if (detail === this.#detail) {
+      return false;
+    }
+    this.#detail = detail;
+    for (const batch of this.#batches) {
+      batch.setDetail(detail);
+    }
+    return true;
+  }
+
+  setLinesVisible(visible: boolean): void {
+    for (const batch of this.#batches) {
+      batch.setLinesVisible(visible);
+    }
+  }
+
+  /** The nearest part that the ray meets among those shown, or null. */
+  pick(ray: Ray): PartPick | null {
+    const model = this.#model;
+    if (!model || !this.group.visible) {
+      return null;
+    }
+    return pickPart(ray, model.parts, {
+      library: this.#library,
+      shift: (index) => this.#shift(index),
+      isPickable: (index) => this.#styleOf(index) === 'solid',
+    });
+  }
+
+  /** Middle of a part as drawn, modules. */
+  partCentre(index: number): Vec3 | null {
+    const part = this.#model?.parts[index];
+    return part ? add(part.position, this.#shift(index)) : null;
+  }
+
+  dispose(): void {
+    this.#clear();
+  }
+
+  #clear(): void {
+    for (const batch of this.#batches) {
+      batch.dispose();
+    }
+    this.#batches = [];
+  }
+
+  #rebuild(): void {
+    this.#clear();
+    const members = new Map<string, { partId: string; style: BatchStyle; indices: number[] }>();
+    this.#model?.parts.forEach((part, index) => {
+      const style = this.#styleOf(index);
+      if (style === 'hidden' || !this.#library.catalogue.find(part.part)) {
+        return;
+      }
+      const key = `${style}/${part.part}`;
+      const known = members.get(key);
+      if (known) {
+        known.indices.push(index);
+      } else {
+        members.set(key, { partId: part.part, style, indices: [index] });
+      }
+    });
+    for (const { partId, style, indices } of members.values()) {
+      const content = { partId, members: indices, style, detail: this.#detail };
+      const batch = new BrickBatch(this.#library, this.#materials, content);
+      batch.addTo(this.group);
+      this.#batches.push(batch);
+    }
+    this.#place();
+    this.#paint();
+  }
+
+  #styleOf(index: number): BatchStyle | 'hidden' {
+    const isolation = this.#isolation;
+    if (!isolation || isolation.parts.has(index)) {
+      return 'solid';
+    }
+    return isolation.others === 'ghost' ? 'ghost' : 'hidden';
+  }
+
+  #place(): void {
+    const parts = this.#model?.parts ?? [];
+    for (const batch of this.#batches) {
+      batch.place(parts, (index) => this.#shift(index));
+    }
+  }
+
+  #shift(index: number): Vec3 {
+    const part = this.#model?.parts[index];
+    if (!part || !this.#bounds || this.#explode === 0) {
+      return ORIGIN;
+    }
+    const middle = scale(add(this.#bounds.min, this.#bounds.max), 0.5);
+    return scale(subtract(part.position, middle), this.#explode * EXPLODE_SPREAD);
+  }
+
+  #paint(): void {
+    const parts = this.#model?.parts ?? [];
+    for (const batch of this.#batches) {
+      batch.paint((index) => this.#colourOf(parts[index], index));
+    }
+  }
+
+  #colourOf(part: PlacedPart | undefined, index: number): number {
+    if (!part) {
+      return 0;
+    }
+    let hex = schemeHex(part, this.#scheme);
+    if (this.#fade) {
+      hex = mixHex(hex, this.#fade.towards, this.#fade.amount);
+    }
+    if (this.#marks.errors?.has(index)) {
+      hex = mixHex(hex, MARK_HEX.error, 0.7);
+    }
+    if (this.#marks.selected?.has(index)) {
+      hex = mixHex(hex, MARK_HEX.selected, 0.65);
+    }
+    return this.#marks.hovered === index ? mixHex(hex, MARK_HEX.hovered, 0.4) : hex;
+  }
+}
+
+const MARK_HEX = { error: 0xe5484d, selected: 0x2f7de1, hovered: 0x7db4f5 } as const;
+
+function schemeHex(part: PlacedPart, scheme: ColourScheme): number {
+  switch (scheme) {
+    case 'part':
+      return colourHex(part.color);
+    case 'layer':
+      // 0, -1, 1, -2, 2, ... so that layers on both sides of a line differ.
+      return groupHex(part.component < 0 ? -1 : layerIndex(part.layer));
+    case 'component':
+      return groupHex(part.component);
+    case 'piece':
+      return groupHex(part.piece);
+  }
+}
+
+function layerIndex(layer: number): number {
+  return layer > 0 ? 2 * layer : -2 * layer - (layer < 0 ? 1 : 0);
+}

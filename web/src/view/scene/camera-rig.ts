@@ -1,0 +1,256 @@
+import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { type Bounds, corners } from '../../model/bounds.ts';
+import type { Vec3 } from '../../model/vec.ts';
+import type { Navigation, Projection, StandardView } from '../view-types.ts';
+
+const FIELD_OF_VIEW = 32;
+/** Space left round a fitted box, as a factor. */
+const FIT_MARGIN = 1.12;
+const MOVE_MILLISECONDS = 320;
+/** The far plane, and how near and far one may go, in modules. */
+const REACH = { near: 0.1, far: 4000, minDistance: 1.5, maxDistance: 1500 } as const;
+
+/** Directions from the middle to the eye. A little off the pole, so that up stays defined. */
+const VIEW_DIRECTIONS: Readonly<Record<StandardView, Vec3>> = {
+  front: [0, -1, 0],
+  back: [0, 1, 0],
+  left: [-1, 0, 0],
+  right: [1, 0, 0],
+  top: [0, -0.0005, 1],
+  bottom: [0, -0.0005, -1],
+  iso: [0.62, -0.7, 0.46],
+};
+
+interface Move {
+  readonly fromEye: Vector3;
+  readonly fromTarget: Vector3;
+  readonly toEye: Vector3;
+  readonly toTarget: Vector3;
+  readonly fromHeight: number;
+  readonly toHeight: number;
+  start: number | null;
+}
+
+/** Camera, orbit controls and animated moves. Calls `onChange` whenever the picture has changed. */
+export class CameraRig {
+  readonly controls: OrbitControls;
+  readonly #perspective = new PerspectiveCamera(FIELD_OF_VIEW, 1, REACH.near, REACH.far);
+  readonly #orthographic = new OrthographicCamera(-1, 1, 1, -1, -REACH.far, REACH.far);
+  readonly #onChange: () => void;
+  readonly #reducedMotion: boolean;
+  #projection: Projection = 'perspective';
+  #aspect = 1;
+  #move: Move | null = null;
+
+  constructor(
+    element: HTMLElement,
+    options: { readonly reducedMotion: boolean; readonly onChange: () => void },
+  ) {
+    this.#onChange = options.onChange;
+    this.#reducedMotion = options.reducedMotion;
+    for (const camera of [this.#perspective, this.#orthographic]) {
+      camera.up.set(0, 0, 1);
+      camera.position.set(20, -24, 16);
+    }
+    this.controls = new OrbitControls(this.#perspective, element);
+    this.controls.enableDamping = !options.reducedMotion;
+    this.controls.dampingFactor = 0.18;
+    this.controls.minDistance = REACH.minDistance;
+    this.controls.maxDistance = REACH.maxDistance;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', options.onChange);
+    this.controls.addEventListener('start', () => {
+      this.#move = null;
+    });
+    this.setNavigation('orbit');
+    this.#applyLens();
+  }
+
+  get camera(): PerspectiveCamera | OrthographicCamera {
+    return this.#projection === 'perspective' ? this.#perspective : this.#orthographic;
+  }
+
+  get projection(): Projection {
+    return this.#projection;
+  }
+
+  /** Width divided by height of the picture. */
+  setAspect(aspect: number): void {
+    this.#aspect = aspect > 0 ? aspect : 1;
+    this.#applyLens();
+  }
+
+  setNavigation(navigation: Navigation): void {
+    const { controls } = this;
+    if (navigation === 'orbit') {
+      controls.mouseButtons = { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.PAN };
+      controls.touches = { ONE: TOUCH.ROTATE, TWO: TOUCH.DOLLY_PAN };
+    } else {
+      controls.mouseButtons = { LEFT: null, MIDDLE: MOUSE.PAN, RIGHT: MOUSE.ROTATE };
+      controls.touches = { ONE: null, TWO: TOUCH.DOLLY_ROTATE };
+    }
+  }
+
+  setTurntable(state: 'on' | 'off'): void {
+    this.controls.autoRotate = state === 'on' && !this.#reducedMotion;
+    this.controls.autoRotateSpeed = 1.2;
+    this.#onChange();
+  }
+
+  setProjection(projection: Projection): void {
+    if (projection === this.#projection) {
+      return;
+    }
+    const height = this.viewHeight();
+    const eye = this.camera.position.clone();
+    this.#projection = projection;
+    const camera = this.camera;
+    camera.position.copy(eye);
+    if (projection === 'perspective') {
+      const away = height / (2 * Math.tan((FIELD_OF_VIEW * Math.PI) / 360));
+      const direction = eye.sub(this.controls.target).normalize();
+      camera.position.copy(this.controls.target).addScaledVector(direction, away);
+    } else {
+      this.#orthographic.zoom = 1;
+      this.#setOrthographicHeight(height);
+    }
+    this.controls.object = camera;
+    this.#applyLens();
+    this.controls.update();
+    this.#onChange();
+  }
+
+  /** Height of what is seen at the target, modules. */
+  viewHeight(): number {
+    if (this.#projection === 'orthographic') {
+      return (this.#orthographic.top - this.#orthographic.bottom) / this.#orthographic.zoom;
+    }
+    const away = this.#perspective.position.distanceTo(this.controls.target);
+    return 2 * away * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+  }
+
+  /** Looks at the box from a direction (or the present one) so that all of it is seen. */
+  fit(box: Bounds, view?: StandardView): void {
+    const direction = view
+      ? new Vector3(...VIEW_DIRECTIONS[view]).normalize()
+      : this.camera.position.clone().sub(this.controls.target).normalize();
+    const target = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
+    const away = this.#fittingDistance(box, { target, direction });
+    this.#moveTo(target, target.clone().addScaledVector(direction, away));
+  }
+
+  /** Looks from a standard direction at what is looked at now. */
+  look(view: StandardView): void {
+    const direction = new Vector3(...VIEW_DIRECTIONS[view]).normalize();
+    const away = this.camera.position.distanceTo(this.controls.target);
+    const target = this.controls.target.clone();
+    this.#moveTo(target, target.clone().addScaledVector(direction, away));
+  }
+
+  /** Brings a point to the middle without turning. */
+  centreOn(point: Vec3): void {
+    const target = new Vector3(...point);
+    const eye = this.camera.position.clone().sub(this.controls.target).add(target);
+    this.#moveTo(target, eye);
+  }
+
+  /**
+   * Advances controls and moves before a frame.
+   * @param now milliseconds, as requestAnimationFrame gives them.
+   * @returns true while further frames are needed.
+   */
+  update(now: number): boolean {
+    const moving = this.#advanceMove(now);
+    const settling = this.controls.update();
+    return moving || settling || this.controls.autoRotate;
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+
+  /** Distance at which the box just fills the picture, by its corners. */
+  #fittingDistance(
+    box: Bounds,
+    look: { readonly target: Vector3; readonly direction: Vector3 },
+  ): number {
+    const right = new Vector3(0, 0, 1).cross(look.direction).normalize();
+    const up = look.direction.clone().cross(right).normalize();
+    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / FIT_MARGIN;
+    let away: number = REACH.minDistance;
+    for (const corner of corners(box)) {
+      const offset = new Vector3(...corner).sub(look.target);
+      const wide = Math.abs(offset.dot(right)) / (slope * this.#aspect);
+      const high = Math.abs(offset.dot(up)) / slope;
+      away = Math.max(away, Math.max(wide, high) + offset.dot(look.direction));
+    }
+    return Math.min(away, REACH.maxDistance);
+  }
+
+  #moveTo(target: Vector3, eye: Vector3): void {
+    const height = 2 * eye.distanceTo(target) * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    this.#move = {
+      fromEye: this.camera.position.clone(),
+      fromTarget: this.controls.target.clone(),
+      toEye: eye,
+      toTarget: target,
+      fromHeight: this.viewHeight(),
+      toHeight: height,
+      start: null,
+    };
+    if (this.#reducedMotion) {
+      this.#placeAt(this.#move, 1);
+      this.#move = null;
+    }
+    this.#onChange();
+  }
+
+  #advanceMove(now: number): boolean {
+    const move = this.#move;
+    if (!move) {
+      return false;
+    }
+    move.start ??= now;
+    const t = Math.min(1, (now - move.start) / MOVE_MILLISECONDS);
+    this.#placeAt(move, t * t * (3 - 2 * t));
+    if (t >= 1) {
+      this.#move = null;
+    }
+    return t < 1;
+  }
+
+  /** Turns about the target rather than cutting across, so that the distance stays in between. */
+  #placeAt(move: Move, t: number): void {
+    const target = move.fromTarget.clone().lerp(move.toTarget, t);
+    const from = move.fromEye.clone().sub(move.fromTarget);
+    const to = move.toEye.clone().sub(move.toTarget);
+    const away = from.length() + (to.length() - from.length()) * t;
+    const direction = from.normalize().lerp(to.normalize(), t);
+    if (direction.lengthSq() < 1e-6) {
+      direction.copy(to);
+    }
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(direction.normalize(), away);
+    if (this.#projection === 'orthographic') {
+      this.#orthographic.zoom = 1;
+      this.#setOrthographicHeight(move.fromHeight + (move.toHeight - move.fromHeight) * t);
+    }
+  }
+
+  #setOrthographicHeight(height: number): void {
+    const camera = this.#orthographic;
+    camera.top = height / 2;
+    camera.bottom = -height / 2;
+    this.#applyLens();
+  }
+
+  #applyLens(): void {
+    this.#perspective.aspect = this.#aspect;
+    this.#perspective.updateProjectionMatrix();
+    const camera = this.#orthographic;
+    camera.right = camera.top * this.#aspect;
+    camera.left = -camera.right;
+    camera.updateProjectionMatrix();
+  }
+}

@@ -1,0 +1,125 @@
+import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
+import type { Vec3 } from '../../model/vec.ts';
+
+const VERTEX = /* glsl */ `
+attribute float size;
+attribute vec3 fill;
+attribute float ring;
+uniform float pixelRatio;
+varying vec3 vFill;
+varying float vRing;
+varying float vSize;
+void main() {
+  vFill = fill;
+  vRing = ring;
+  vSize = size * pixelRatio;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position.z -= 0.0006 * gl_Position.w;
+  gl_PointSize = vSize;
+}
+`;
+
+/** A disc with a soft rim; a ring when asked for, filled with the background. */
+const FRAGMENT = /* glsl */ `
+uniform vec3 inner;
+varying vec3 vFill;
+varying float vRing;
+varying float vSize;
+void main() {
+  float radius = length(gl_PointCoord - 0.5) * vSize;
+  float outside = vSize * 0.5;
+  float alpha = 1.0 - smoothstep(outside - 1.2, outside, radius);
+  if (alpha < 0.02) {
+    discard;
+  }
+  float border = outside - max(1.8, vSize * 0.2);
+  float inRing = vRing * (1.0 - smoothstep(border - 0.7, border + 0.7, radius));
+  gl_FragColor = vec4(mix(vFill, inner, inRing), alpha);
+  #include <colorspace_fragment>
+}
+`;
+
+/** A dot of a fixed size on screen. */
+export interface Dot {
+  readonly at: Vec3;
+  /** Diameter in CSS pixels. */
+  readonly size: number;
+  /** sRGB. */
+  readonly colour: number;
+  readonly ring?: boolean;
+}
+
+/** Round dots that keep their size on screen, in one draw call. */
+export class Dots {
+  readonly object: Points<BufferGeometry, ShaderMaterial>;
+
+  constructor(renderOrder: number) {
+    const material = new ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: { pixelRatio: { value: 1 }, inner: { value: new Color(0xffffff) } },
+      transparent: true,
+      depthWrite: false,
+    });
+    this.object = new Points(new BufferGeometry(), material);
+    this.object.frustumCulled = false;
+    this.object.renderOrder = renderOrder;
+  }
+
+  set(dots: readonly Dot[]): void {
+    const colour = new Color();
+    const geometry = new BufferGeometry();
+    const attribute = (values: readonly number[], size: number): BufferAttribute =>
+      new BufferAttribute(new Float32Array(values), size);
+    geometry.setAttribute(
+      'position',
+      attribute(
+        dots.flatMap((dot) => [...dot.at]),
+        3,
+      ),
+    );
+    geometry.setAttribute(
+      'size',
+      attribute(
+        dots.map((dot) => dot.size),
+        1,
+      ),
+    );
+    geometry.setAttribute(
+      'ring',
+      attribute(
+        dots.map((dot) => (dot.ring ? 1 : 0)),
+        1,
+      ),
+    );
+    geometry.setAttribute(
+      'fill',
+      attribute(
+        dots.flatMap((dot) => colour.setHex(dot.colour).toArray()),
+        3,
+      ),
+    );
+    this.object.geometry.dispose();
+    this.object.geometry = geometry;
+    this.object.visible = dots.length > 0;
+  }
+
+  setPixelRatio(ratio: number): void {
+    this.object.material.uniforms['pixelRatio'] = { value: ratio };
+  }
+
+  /** Colour within rings: the background's. */
+  setInner(colour: number): void {
+    this.object.material.uniforms['inner'] = { value: new Color(colour) };
+  }
+
+  /** Dots over everything, or hidden behind bricks. */
+  setOverlay(overlay: 'over' | 'within'): void {
+    this.object.material.depthTest = overlay === 'within';
+  }
+
+  dispose(): void {
+    this.object.geometry.dispose();
+    this.object.material.dispose();
+  }
+}
