@@ -72,9 +72,10 @@ class AnnotationReader {
         return false;
       }
       if (between->size() != 2) {
-        return fields_.fail(groupsPlace,
-                            "expected two groups of line numbers, such as [[0], [1, 2]], found " +
-                                std::to_string(between->size()));
+        return fields_.fail(
+            groupsPlace,
+            "expected two groups of line numbers, such as [[0], [1, 2]], found an array of " +
+                std::to_string(between->size()));
       }
       for (std::size_t g = 0; g < between->size(); ++g) {
         if (!fields_.lineIndices((*between)[g],

@@ -38,9 +38,13 @@ bool isWordCharacter(char c) {
 }
 
 //! The word around a byte, so that a message shows `NaN` and not only its first letter.
-std::string_view wordAt(std::string_view text, std::size_t offset) {
+//! Bytes outside ASCII, which may be no valid text, show as `?`.
+std::string wordAt(std::string_view text, std::size_t offset) {
   if (offset >= text.size()) {
     return {};
+  }
+  if (static_cast<unsigned char>(text[offset]) >= 0x80U) {
+    return "?";
   }
   std::size_t begin = offset;
   while (begin > 0 && isWordCharacter(text[begin]) && isWordCharacter(text[begin - 1])) {
@@ -50,7 +54,7 @@ std::string_view wordAt(std::string_view text, std::size_t offset) {
   while (isWordCharacter(text[offset]) && end < text.size() && isWordCharacter(text[end])) {
     ++end;
   }
-  return text.substr(begin, end - begin);
+  return std::string(text.substr(begin, end - begin));
 }
 
 bool namesNoNumber(std::string_view word) {
@@ -73,7 +77,12 @@ std::string explanation(std::string_view what) {
   }
   std::string plain;
   for (const char c : core) {
-    plain += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
+    plain += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : ' ';
+  }
+  constexpr std::string_view kAnyValue = "'[', '{', or a literal";
+  const std::size_t anyValue = plain.find(kAnyValue);
+  if (anyValue != std::string::npos) {
+    plain.replace(anyValue, kAnyValue.size(), "a value");
   }
   return plain;
 }
@@ -138,10 +147,9 @@ class DocumentBuilder {
     if (offset >= text_.size()) {
       return fail(where + "the text ends too early");
     }
-    const std::string_view word = wordAt(text_, offset);
+    const std::string word = wordAt(text_, offset);
     if (namesNoNumber(word)) {
-      return fail(where + std::string(word) +
-                  " is not a JSON number; coordinates must be finite numbers");
+      return fail(where + word + " is not a JSON number; coordinates must be finite numbers");
     }
     return fail(where + explanation(error.what()) + ", near " + inQuotes(word));
   }
