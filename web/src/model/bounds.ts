@@ -1,7 +1,7 @@
 import type { Catalogue } from './catalogue.ts';
 import type { Model } from './model.ts';
 import type { SketchDocument } from './sketch.ts';
-import { rotate, type Vec3 } from './vec.ts';
+import { add, rotate, type Vec3 } from './vec.ts';
 
 /** An axis-aligned box in modules; min <= max in each coordinate. */
 export interface Bounds {
@@ -46,24 +46,18 @@ export function corners(box: Bounds): Vec3[] {
   return result;
 }
 
+/** The corners of the boxes of all parts of a model that the catalogue knows. */
+export function modelCorners(model: Model, catalogue: Catalogue): Vec3[] {
+  return model.parts.flatMap((placed) => {
+    const part = catalogue.find(placed.part);
+    const box = part ? corners({ min: part.boundsMin, max: part.boundsMax }) : [];
+    return box.map((corner) => add(rotate(placed.rotation, corner), placed.position));
+  });
+}
+
 /** The box around all parts of a model that the catalogue knows, or null. */
 export function modelBounds(model: Model, catalogue: Catalogue): Bounds | null {
-  const points: Vec3[] = [];
-  for (const placed of model.parts) {
-    const part = catalogue.find(placed.part);
-    if (!part) {
-      continue;
-    }
-    for (const corner of corners({ min: part.boundsMin, max: part.boundsMax })) {
-      const turned = rotate(placed.rotation, corner);
-      points.push([
-        turned[0] + placed.position[0],
-        turned[1] + placed.position[1],
-        turned[2] + placed.position[2],
-      ]);
-    }
-  }
-  return boundsOfPoints(points);
+  return boundsOfPoints(modelCorners(model, catalogue));
 }
 
 /** The box around all line ends of a sketch, or null when it has no line. */

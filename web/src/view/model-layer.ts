@@ -1,5 +1,5 @@
 import { Group } from 'three';
-import { type Bounds, modelBounds } from '../model/bounds.ts';
+import { type Bounds, modelBounds, modelCorners } from '../model/bounds.ts';
 import { colourHex, groupHex, mixHex } from '../model/colours.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
 import { add, ORIGIN, scale, subtract, type Vec3 } from '../model/vec.ts';
@@ -47,6 +47,12 @@ export class ModelLayer {
   /** Box around the model as placed, not exploded; null without parts. */
   get bounds(): Bounds | null {
     return this.#bounds;
+  }
+
+  /** Corners of the parts' boxes as drawn, exploded or not. */
+  corners(): Vec3[] {
+    const model = this.#model;
+    return model ? modelCorners(this.#explodedModel(model), this.#library.catalogue) : [];
   }
 
   get partCount(): number {
@@ -182,6 +188,14 @@ export class ModelLayer {
     }
     const middle = scale(add(this.#bounds.min, this.#bounds.max), 0.5);
     return scale(subtract(part.position, middle), this.#explode * EXPLODE_SPREAD);
+  }
+
+  #explodedModel(model: Model): Model {
+    const moved = model.parts.map((part, index) => ({
+      ...part,
+      position: add(part.position, this.#shift(index)),
+    }));
+    return { ...model, parts: moved };
   }
 
   #paint(): void {

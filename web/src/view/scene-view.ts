@@ -1,5 +1,5 @@
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
-import { type Bounds, sketchBounds, unionBounds } from '../model/bounds.ts';
+import { type Bounds, corners, sketchBounds, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { unitVector, type Vec3 } from '../model/vec.ts';
@@ -175,7 +175,8 @@ export class SceneView {
 
   /** Brings everything shown into the picture; with a view, from that side. */
   fit(view?: StandardView): void {
-    this.#rig.fit(this.#shownBounds() ?? DEFAULT_BOX, view);
+    const points = this.#shownPoints();
+    this.#rig.fit(points.length > 0 ? points : corners(DEFAULT_BOX), view);
   }
 
   /** Looks from a standard side at what is looked at now. */
@@ -368,10 +369,10 @@ export class SceneView {
     this.#stage.frame(box, sketch?.ground ?? box?.min[2] ?? 0);
   }
 
-  #shownBounds(): Bounds | null {
-    const sketch = this.#sketch.sketch;
-    const drawn = this.#mode === 'model' || !sketch ? null : sketchBounds(sketch);
-    return unionBounds(this.#mode === 'sketch' ? null : this.#model.bounds, drawn);
+  #shownPoints(): Vec3[] {
+    const lines = this.#mode === 'model' ? [] : (this.#sketch.sketch?.lines ?? []);
+    const parts = this.#mode === 'sketch' ? [] : this.#model.corners();
+    return [...lines.flatMap((line) => [line.from, line.to]), ...parts];
   }
 
   readonly #onContextLost = (event: Event): void => {

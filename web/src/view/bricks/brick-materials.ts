@@ -29,8 +29,12 @@ void main() {
   vec3 toEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : -mvPosition.xyz;
   bool smoothSurface = dot(normal1, normal1) > 0.5;
   // Pulled a little towards the eye, so that lines win against the surfaces that they lie on.
+  if (isOrthographic) {
+    mvPosition.z += 0.02;
+  } else {
+    mvPosition.xyz *= 0.9994;
+  }
   gl_Position = projectionMatrix * mvPosition;
-  gl_Position.z -= 0.00012 * gl_Position.w;
   if (smoothSurface && facesEye(normal1, toEye) == facesEye(normal2, toEye)) {
     gl_Position = vec4(2.0, 2.0, 2.0, 0.0);
   }

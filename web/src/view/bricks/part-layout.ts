@@ -63,6 +63,8 @@ export interface PartLayout {
 const TOLERANCE = 0.02;
 /** A hole this near to a prism's middle line goes through it. */
 const PIERCED = 0.3;
+/** A hole this near to it lies in its middle. */
+const CENTRED = 0.1;
 
 /** Finds the bodies, bridges and heads of a part from its catalogue entry. */
 export function layOutPart(part: Part): PartLayout {
@@ -84,22 +86,24 @@ export function layOutPart(part: Part): PartLayout {
  */
 function bodyPrisms(part: Part, holes: readonly Feature[]): Prism[] {
   const usable = part.solid.filter((prism) => {
-    const crossing = holes.filter((hole) => holds(prism, hole));
-    const own = crossing.filter((hole) => parallel(hole.axis, prism.axis));
-    return crossing.length === own.length && (own.length > 0 || holes.length === 0);
+    const through = holes.filter((hole) => holds(prism, hole, PIERCED));
+    const own = through.filter(
+      (hole) => parallel(hole.axis, prism.axis) && holds(prism, hole, CENTRED),
+    );
+    return through.length === own.length && (own.length > 0 || holes.length === 0);
   });
   const turned = usable.map((prism) => ({ ...prism, axis: positive(normalize(prism.axis)) }));
   return turned.filter((prism) => !turned.some((other) => covers(other, prism)));
 }
 
-/** True when the middle of the hole, or of one of its slots, lies within the prism. */
-function holds(prism: Prism, hole: Feature): boolean {
+/** True when the middle of the hole, or of one of its slots, is `reach` or less off the prism. */
+function holds(prism: Prism, hole: Feature, reach: number): boolean {
   return [hole.center, ...hole.slots].some((point) => {
     const height = dot(subtract(point, prism.from), prism.axis);
     const flat = subtract(point, scale(prism.axis, height));
     return (
       Math.abs(height) < prism.halfThickness &&
-      distanceToSegment(flat, prism.from, prism.to) < PIERCED
+      distanceToSegment(flat, prism.from, prism.to) < reach
     );
   });
 }
@@ -118,7 +122,8 @@ function covers(long: Prism, barrel: Prism): boolean {
 /** The bodies, and a barrel round each hole that none of them holds. */
 function withHoleBodies(bodies: readonly Prism[], holes: readonly Feature[]): Prism[] {
   const bare = holes.filter(
-    (hole) => !bodies.some((prism) => parallel(prism.axis, hole.axis) && holds(prism, hole)),
+    (hole) =>
+      !bodies.some((prism) => parallel(prism.axis, hole.axis) && holds(prism, hole, CENTRED)),
   );
   return [
     ...bodies,

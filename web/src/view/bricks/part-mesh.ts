@@ -102,7 +102,7 @@ function at(frame: Frame, x: number, y: number): Vec3 {
 }
 
 /** Half the width of a web, and how far from a barrel's middle a head's foot stands. */
-const WEB_HALF = 0.4;
+const WEB_HALF = 0.45;
 const NECK_HEIGHT = 0.5;
 
 /** How deep webs and necks reach into the bodies that they join: to just outside the hole. */

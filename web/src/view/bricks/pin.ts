@@ -60,6 +60,8 @@ function footProfile(head: PinHead): Point2[] {
   const { pinRadius, collarRadius, collarWidth } = DIMENSIONS;
   return head.collar
     ? [
+        // The foot of a head that grows from an axle is seen round it.
+        ...(head.bore === 'blind' ? [[0, 0] as const] : []),
         [collarRadius, 0],
         [collarRadius, collarWidth],
         [pinRadius, collarWidth],
@@ -207,7 +209,6 @@ function addRidges(builder: MeshBuilder, frame: Frame, offset: number): void {
       const p = place(r, side * w, low);
       const q = place(r, side * w, high);
       builder.flatQuad(side > 0 ? [p, a, b, q] : [a, p, q, b]);
-      builder.hardLine(p, q);
     }
     builder.flatQuad([
       place(inner, -w, high),

@@ -22,7 +22,7 @@ export interface WebShape {
   readonly lines: boolean;
 }
 
-/** Adds the walls of a web, and lines where they meet the bodies and at sharp corners. */
+/** Adds the walls of a web, and lines along its corners. */
 export function addWeb(builder: MeshBuilder, frame: Frame, shape: WebShape): void {
   const { section } = shape;
   section.forEach((a, i) => {
@@ -37,8 +37,6 @@ export function addWeb(builder: MeshBuilder, frame: Frame, shape: WebShape): voi
     builder.vertex(high(a), at(a));
     builder.quad(first, first + 1, first + 2, first + 3);
     if (shape.lines) {
-      builder.hardLine(low(a), low(b));
-      builder.hardLine(high(a), high(b));
       addUpright(builder, frame, { shape, index: i, line: [low(a), high(a)] });
     }
   });

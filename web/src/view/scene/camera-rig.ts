@@ -1,12 +1,9 @@
 import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Bounds, corners } from '../../model/bounds.ts';
 import type { Vec3 } from '../../model/vec.ts';
 import type { Navigation, Projection, StandardView } from '../view-types.ts';
+import { FIELD_OF_VIEW, fitPoints } from './fit-points.ts';
 
-const FIELD_OF_VIEW = 32;
-/** Space left round a fitted box, as a factor. */
-const FIT_MARGIN = 1.12;
 const MOVE_MILLISECONDS = 320;
 /** The far plane, and how near and far one may go, in modules. */
 const REACH = { near: 0.1, far: 4000, minDistance: 1.5, maxDistance: 1500 } as const;
@@ -130,13 +127,12 @@ export class CameraRig {
     return 2 * away * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
   }
 
-  /** Looks at the box from a direction (or the present one) so that all of it is seen. */
-  fit(box: Bounds, view?: StandardView): void {
+  /** Looks from a direction (or the present one) so that all points are seen, as large as may be. */
+  fit(points: readonly Vec3[], view?: StandardView): void {
     const direction = view
       ? new Vector3(...VIEW_DIRECTIONS[view]).normalize()
       : this.camera.position.clone().sub(this.controls.target).normalize();
-    const target = new Vector3(...box.min).add(new Vector3(...box.max)).multiplyScalar(0.5);
-    const away = this.#fittingDistance(box, { target, direction });
+    const { target, away } = fitPoints(points, direction, this.#aspect);
     this.#moveTo(target, target.clone().addScaledVector(direction, away));
   }
 
@@ -168,24 +164,6 @@ export class CameraRig {
 
   dispose(): void {
     this.controls.dispose();
-  }
-
-  /** Distance at which the box just fills the picture, by its corners. */
-  #fittingDistance(
-    box: Bounds,
-    look: { readonly target: Vector3; readonly direction: Vector3 },
-  ): number {
-    const right = new Vector3(0, 0, 1).cross(look.direction).normalize();
-    const up = look.direction.clone().cross(right).normalize();
-    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / FIT_MARGIN;
-    let away: number = REACH.minDistance;
-    for (const corner of corners(box)) {
-      const offset = new Vector3(...corner).sub(look.target);
-      const wide = Math.abs(offset.dot(right)) / (slope * this.#aspect);
-      const high = Math.abs(offset.dot(up)) / slope;
-      away = Math.max(away, Math.max(wide, high) + offset.dot(look.direction));
-    }
-    return Math.min(away, REACH.maxDistance);
   }
 
   #moveTo(target: Vector3, eye: Vector3): void {

@@ -28,8 +28,8 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
   readonly ground = new Ground();
-  readonly #key = new DirectionalLight(0xffffff, 2.1);
-  readonly #sky = new HemisphereLight(0xffffff, 0x9a958c, 0.55);
+  readonly #key = new DirectionalLight(0xffffff, 2.6);
+  readonly #sky = new HemisphereLight(0xffffff, 0xb8b2a8, 0.7);
   readonly #fill = new DirectionalLight(0xdfe9ff, 0.5);
   #theme: ViewTheme = viewTheme('light');
 
@@ -59,14 +59,14 @@ export class Stage {
   /** Makes again what lives in the graphics memory alone; after a lost context. */
   restore(): void {
     this.scene.environment = studioEnvironment(this.renderer);
-    this.scene.environmentIntensity = 0.55 * this.#theme.lightScale;
+    this.scene.environmentIntensity = 0.8 * this.#theme.lightScale;
     this.shadowChanged();
   }
 
   setTheme(theme: ViewTheme): void {
     this.#theme = theme;
     this.scene.background = gradient(theme.backgroundTop, theme.backgroundBottom);
-    this.scene.environmentIntensity = 0.55 * theme.lightScale;
+    this.scene.environmentIntensity = 0.8 * theme.lightScale;
     this.ground.setTheme(theme);
   }
 

@@ -13,8 +13,14 @@ void main() {
   vFill = fill;
   vRing = ring;
   vSize = size * pixelRatio;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  gl_Position.z -= 0.0006 * gl_Position.w;
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+  // In front of the lines that meet here.
+  if (isOrthographic) {
+    mvPosition.z += 0.1;
+  } else {
+    mvPosition.xyz *= 0.997;
+  }
+  gl_Position = projectionMatrix * mvPosition;
   gl_PointSize = vSize;
 }
 `;
