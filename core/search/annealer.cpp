@@ -18,14 +18,18 @@ constexpr std::uint64_t kPatience = 150;  // moves without a change of violation
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-CoverCosts coverCosts(const EnergyWeights& w) {
+double weightOf(const objective::Weights& weights, std::string_view term) {
+  return weights[*objective::termIndex(term)];
+}
+
+CoverCosts coverCosts(const objective::Weights& w) {
   CoverCosts costs;
-  costs.beam = w.beam;
-  costs.hole = w.hole;
-  costs.layerHole = w.layerSquare;
-  costs.hinge = w.hinge;
-  costs.overhang = w.overhang;
-  costs.violation = w.violation;
+  costs.beam = weightOf(w, "beams");
+  costs.hole = weightOf(w, "holes");
+  costs.layerHole = weightOf(w, "layers");
+  costs.hinge = weightOf(w, "hinges");
+  costs.overhang = weightOf(w, "overhang");
+  costs.violation = weightOf(w, "violations");
   return costs;
 }
 
@@ -37,17 +41,20 @@ Annealer::Annealer(const layout::LayoutProblem& problem, layout::ConnectionSolve
       options_(std::move(options)),
       rng_(options_.seed),
       layout_(problem, solver),
-      coverer_(problem, options_.lengths, coverCosts(options_.weights)) {}
+      coverer_(problem, options_.lengths, coverCosts(options_.weights)),
+      softWeights_(options_.weights),
+      violationWeight_(weightOf(options_.weights, "violations")) {
+  measures_.scale = objective::scaleOf(problem.graph);
+  softWeights_[*objective::termIndex("violations")] = 0.0;
+}
 
 double Annealer::plainEnergy() const {
-  const layout::Tallies& t = layout_.tallies();
-  const EnergyWeights& w = options_.weights;
-  return w.beam * t.beams + w.hole * t.holes + w.layerSquare * t.layerSquares +
-         w.overhang * t.overhang + w.hinge * t.hinges + w.connection * t.connectionCost;
+  measures_.tallies = layout_.tallies();
+  return objective::value(measures_, softWeights_);
 }
 
 double Annealer::energy() const {
-  return plainEnergy() + options_.weights.violation * layout_.weightedViolations();
+  return plainEnergy() + violationWeight_ * layout_.weightedViolations();
 }
 
 double Annealer::fraction() const {
@@ -57,6 +64,13 @@ double Annealer::fraction() const {
   const auto inRound = static_cast<double>(iteration_ - roundBegin_);
   const double share = roundLength_ == 0 ? 0.0 : inRound / static_cast<double>(roundLength_);
   return std::min(0.99, (static_cast<double>(round_) + share) / (static_cast<double>(round_) + 1.0));
+}
+
+const char* Annealer::phase() const {
+  if (!started_) {
+    return "stageOne";
+  }
+  return done_ ? "done" : "stageTwo";
 }
 
 void Annealer::start() {

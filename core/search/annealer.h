@@ -5,20 +5,10 @@
 
 #include "base/rng.h"
 #include "layout/layout.h"
+#include "objective/objective.h"
 #include "search/run_coverer.h"
 
 namespace liftarm::search {
-
-//! \brief What the search minimises once there are no violations, in units of one connecting part.
-struct EnergyWeights {
-  double beam = 10.0;
-  double hole = 0.05;
-  double layerSquare = 0.02;   //!< each hole times its layer squared
-  double overhang = 2.0;
-  double hinge = 3.0;
-  double connection = 1.0;     //!< the connections' cost: parts, and a little for their body
-  double violation = 25.0;     //!< each, times the weight of its place
-};
 
 struct AnnealingOptions {
   std::uint64_t seed = 1;
@@ -29,7 +19,7 @@ struct AnnealingOptions {
   std::uint32_t minIterations = 1500;
   std::uint32_t maxRounds = 6;       //!< further rounds while no layout without violations was found
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
-  EnergyWeights weights;
+  objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };
 
 //! \brief A whole layout as it can be kept and put back.
@@ -59,6 +49,9 @@ class Annealer {
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
   [[nodiscard]] double temperature() const { return temperature_; }
   [[nodiscard]] double fraction() const;
+
+  //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
+  [[nodiscard]] const char* phase() const;
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 
  private:
@@ -90,6 +83,9 @@ class Annealer {
   std::uint64_t lastChange_ = 0;
   double temperature_ = 0.0;
   double energy_ = 0.0;
+  mutable objective::Measures measures_;   // reused: the tallies change, the scale does not
+  objective::Weights softWeights_{};       // options_.weights without the hard conditions
+  double violationWeight_ = 0.0;
   std::vector<int> sites_;
 };
 

@@ -1,0 +1,184 @@
+#include "design/model_builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+
+namespace liftarm::design {
+
+namespace {
+
+using lattice::Axis;
+using lattice::Cell;
+using lattice::Mat3;
+using lattice::Vec3;
+using layout::Beam;
+using layout::Cover;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+const parts::Part& catalogued(std::string_view id) {
+  const parts::Part* part = parts::Catalogue::builtIn().find(id);
+  LIFTARM_CHECK(part != nullptr, "a part in use is in the catalogue");
+  return *part;
+}
+
+//! The straight beam with this many pin holes; thin ones when the length comes in no other thickness.
+const parts::Part& beamPart(int holes) {
+  const parts::Part* best = nullptr;
+  for (const parts::Part& part : parts::Catalogue::builtIn().parts()) {
+    const bool roundHoles = std::all_of(
+        part.features.begin(), part.features.end(), [](const parts::Feature& feature) {
+          return feature.kind == parts::FeatureKind::kPinHole;
+        });
+    if (part.holes == holes && roundHoles &&
+        (best == nullptr || part.thickness > best->thickness)) {
+      best = &part;
+    }
+  }
+  LIFTARM_CHECK(best != nullptr, "the catalogue has every length that the search uses");
+  return *best;
+}
+
+Vec3 middleOfHoles(const parts::Part& part) {
+  Vec3 sum;
+  for (const parts::Feature& feature : part.features) {
+    sum = sum + feature.center;
+  }
+  return (1.0 / static_cast<double>(part.features.size())) * sum;
+}
+
+//! The pin without friction that replaces one at a joint.
+std::string withoutFriction(const std::string& id) {
+  if (id == "2780") {
+    return "3673";
+  }
+  return id == "6558" ? "32556" : id;
+}
+
+class Builder {
+ public:
+  Builder(const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table,
+          const search::LayoutSnapshot& layout)
+      : graph_(problem.graph),
+        table_(table),
+        layout_(layout),
+        components_(layout::findComponents(problem.graph, layout.covers)) {}
+
+  std::vector<model::PlacedPart> build() {
+    for (std::size_t r = 0; r < layout_.covers.size(); ++r) {
+      addRun(static_cast<int>(r));
+    }
+    for (std::size_t j = 0; j < layout_.junctions.size(); ++j) {
+      addJunction(static_cast<int>(j));
+    }
+    return std::move(parts_);
+  }
+
+ private:
+  void addBeam(int runId, const Beam& beam) {
+    const guide::GuideRun& run = graph_.runs[at(runId)];
+    const Axis axis = layout_.covers[at(runId)].axis;
+    const parts::Part& part = beamPart(beam.holes);
+    const Vec3 y = run.direction;
+    const Vec3 z = lattice::unitVector(axis);
+    const Mat3 rotation = lattice::fromColumns(lattice::cross(y, z), y, z);
+    const double middle = 0.5 * static_cast<double>(beam.start + beam.last());
+    const Vec3 centre = layout::holePosition(graph_, run, axis, middle, beam.layer);
+    const bool thin = part.thickness < 0.75;
+    for (int half = thin ? -1 : 0; half <= (thin ? 1 : 0); half += 2) {
+      const Vec3 shift = 0.25 * static_cast<double>(half) * z;
+      const Vec3 position = centre + shift - rotation * middleOfHoles(part);
+      parts_.push_back({part.id, part.color, {position, rotation}, components_.ofRun[at(runId)],
+                        beam.layer, run.piece});
+      if (!thin) {
+        break;
+      }
+    }
+  }
+
+  void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {
+    for (const mechanisms::MechanismPart& member : mechanism.parts) {
+      const std::string id = turning ? withoutFriction(member.id) : member.id;
+      parts_.push_back({id, catalogued(id).color,
+                        {origin + member.pose.position, member.pose.rotation}, -1, 0, piece});
+    }
+  }
+
+  void addRun(int runId) {
+    const guide::GuideRun& run = graph_.runs[at(runId)];
+    const Cover& cover = layout_.covers[at(runId)];
+    for (const Beam& beam : cover.beams) {
+      addBeam(runId, beam);
+    }
+    for (std::size_t b = 1; b < cover.beams.size(); ++b) {
+      const Beam& before = cover.beams[b - 1];
+      const Beam& beam = cover.beams[b];
+      for (const int node : layout::inlinePins(run, before, beam)) {
+        const int low = std::min(before.layer, beam.layer);
+        addPin(cover.axis, layout::holePosition(graph_, run, cover.axis, node, low), run.piece);
+      }
+    }
+  }
+
+  //! A pin through two holes: the one at `lower`, and the next along the axis.
+  void addPin(Axis axis, Vec3 lower, int piece) {
+    Cell step;
+    step[lattice::index(axis)] = 1;
+    for (const mechanisms::TableEntry& entry : table_.between(step, axis, axis)) {
+      const mechanisms::OrientedMechanism& m = table_.oriented(entry.mechanism);
+      if (m.heads == 2 && m.shape.cells.size() == 2) {
+        const Cell head = m.shape.cells[at(entry.headA)].at;
+        addMechanism(m.shape, lower - lattice::toVec3(head), piece, false);
+        return;
+      }
+    }
+  }
+
+  void addJunction(int junctionId) {
+    const guide::Junction& junction = graph_.junctions[at(junctionId)];
+    const Vec3 origin = graph_.nodes[at(junction.node)];
+    const int piece = graph_.runs[at(junction.incident.front().run)].piece;
+    for (const layout::PlacedMechanism& placed :
+         layout_.junctions[at(junctionId)].connection.mechanisms) {
+      const mechanisms::Mechanism& shape = table_.oriented(placed.oriented).shape;
+      addMechanism(shape, origin + lattice::toVec3(placed.at), piece,
+                   junction.joint >= 0 && turnsAtJoint(junction, shape, placed.at));
+    }
+  }
+
+  //! A single pin on the joint's axis through the joint itself.
+  [[nodiscard]] bool turnsAtJoint(const guide::Junction& junction,
+                                  const mechanisms::Mechanism& shape, Cell place) const {
+    const guide::GuideJoint& joint = graph_.joints[at(junction.joint)];
+    const int k = lattice::index(joint.axis);
+    return shape.parts.size() == 1 &&
+           std::all_of(shape.cells.begin(), shape.cells.end(),
+                       [&](const mechanisms::MechanismCell& cell) {
+                         const Cell p = cell.at + place;
+                         return cell.head && cell.axis == joint.axis && p[(k + 1) % 3] == 0 &&
+                                p[(k + 2) % 3] == 0;
+                       });
+  }
+
+  const guide::GuidingGraph& graph_;
+  const mechanisms::MechanismTable& table_;
+  const search::LayoutSnapshot& layout_;
+  layout::Components components_;
+  std::vector<model::PlacedPart> parts_;
+};
+
+}  // namespace
+
+model::Model buildModel(const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table,
+                        const search::LayoutSnapshot& layout, const std::string& name,
+                        const std::string& sketchJson) {
+  model::Model result;
+  result.name = name;
+  result.sketchJson = sketchJson;
+  result.parts = Builder(problem, table, layout).build();
+  return result;
+}
+
+}  // namespace liftarm::design

@@ -1,0 +1,113 @@
+#include "design/report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include "analysis/check.h"
+#include "guide/beam_bound.h"
+#include "layout/components.h"
+
+namespace liftarm::design {
+
+namespace {
+
+using nlohmann::json;
+
+double rounded(double v) { return std::floor(v * 1e6 + 0.5) / 1e6; }
+
+json pointJson(lattice::Vec3 p) { return json::array({rounded(p.x), rounded(p.y), rounded(p.z)}); }
+
+json problemsJson(const analysis::CheckReport& check) {
+  json problems = json::array();
+  for (const analysis::Problem& problem : check.problems) {
+    problems.push_back({{"kind", problem.kind},
+                        {"message", problem.message},
+                        {"at", problem.at ? pointJson(*problem.at) : json()},
+                        {"parts", problem.parts}});
+  }
+  return problems;
+}
+
+//! Places where the search itself knows that it failed; the checks see their effects only.
+void addSearchProblems(const ReportInput& input, json* problems) {
+  const search::LayoutSnapshot& best = input.annealer.best();
+  for (std::size_t j = 0; j < best.junctions.size(); ++j) {
+    const layout::JunctionState& state = best.junctions[j];
+    if (state.violations() == 0) {
+      continue;
+    }
+    const guide::GuidingGraph& graph = input.problem.graph;
+    const lattice::Vec3 at = graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)];
+    std::string message = "the lines that meet here could not all be joined";
+    if (state.connection.failed == 0) {
+      message = state.gaps > 0 ? "the beams stacked here leave an empty layer"
+                               : "more beams are stacked here than a pin can hold";
+    }
+    problems->push_back({{"kind", "junction"},
+                         {"message", message},
+                         {"at", pointJson(at)},
+                         {"parts", json::array()}});
+  }
+}
+
+objective::Measures measuresOf(const ReportInput& input, const layout::Components& components) {
+  objective::Measures measures;
+  measures.tallies = input.annealer.best().tallies;
+  measures.scale = objective::scaleOf(input.problem.graph);
+  measures.componentRange = layout::largestLayerRange(components, input.annealer.best().covers);
+  return measures;
+}
+
+}  // namespace
+
+std::string makeReport(const ReportInput& input) {
+  const search::LayoutSnapshot& best = input.annealer.best();
+  const layout::Components components = layout::findComponents(input.problem.graph, best.covers);
+  const objective::Measures measures = measuresOf(input, components);
+  const analysis::CheckReport check =
+      analysis::checkModel(input.model, parts::Catalogue::builtIn());
+  json problems = problemsJson(check);
+  addSearchProblems(input, &problems);
+  json items = json::array();
+  for (const analysis::CheckItem& item : check.items) {
+    items.push_back(
+        {{"id", item.id}, {"title", item.title}, {"ok", item.ok}, {"detail", item.detail}});
+  }
+  json terms = json::object();
+  for (const objective::Term& term : objective::kTerms) {
+    terms[std::string(term.name)] = rounded(term.value(measures));
+  }
+  const layout::Tallies& tallies = best.tallies;
+  return json{{"name", input.sketch.name},
+              {"seed", input.settings.annealing.seed},
+              {"preset", std::string(objective::nameOf(input.settings.preset))},
+              {"method", input.settings.method},
+              {"lines", input.problem.graph.lines},
+              {"length", input.problem.graph.edges},
+              {"pieces", input.problem.graph.pieces},
+              {"components", components.count},
+              {"beams", check.counts.beams},
+              {"beamsLowerBound", guide::beamsLowerBound(input.problem.graph)},
+              {"bricks", check.counts.bricks},
+              {"gaps", std::max(check.counts.gaps, tallies.gaps)},
+              {"collisions", std::max(check.counts.collisions, tallies.collisions)},
+              {"uncovered", check.counts.uncovered},
+              {"failedConnections",
+               std::max(check.counts.failedConnections, tallies.failedConnections)},
+              {"pinHeadRatio", rounded(1.0 - objective::pinHeadRatio(measures))},
+              {"deviation", rounded(objective::deviation(measures))},
+              {"layerRange", measures.componentRange},
+              {"symmetryDeviation", rounded(measures.symmetryDeviation)},
+              {"mass", rounded(check.counts.mass)},
+              {"size", pointJson(check.counts.size)},
+              {"buildable", check.buildable && tallies.violations() == 0},
+              {"items", items},
+              {"problems", problems},
+              {"objective", rounded(best.energy)},
+              {"terms", terms},
+              {"iterations", input.annealer.iterations()}}
+      .dump();
+}
+
+}  // namespace liftarm::design

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "design/settings.h"
+#include "layout/layout.h"
+#include "model/model.h"
+#include "search/annealer.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::design {
+
+//! \brief What a report is made from.
+struct ReportInput {
+  const layout::LayoutProblem& problem;
+  const Settings& settings;
+  const search::Annealer& annealer;
+  const sketch::Sketch& sketch;
+  model::Model model;
+};
+
+//! \brief The report of DESIGN 4 without its times, as JSON. Whether the model is buildable, its gaps,
+//! collisions and the like are what the checks find on the model, not what the search believes.
+std::string makeReport(const ReportInput& input);
+
+}  // namespace liftarm::design

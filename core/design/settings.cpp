@@ -1,0 +1,231 @@
+#include "design/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "parts/catalogue.h"
+
+namespace liftarm::design {
+
+namespace {
+
+using base::Error;
+using base::Status;
+using nlohmann::json;
+
+constexpr double kMaxWeight = 1e6;
+
+//! One number that a person may set, its limits and where it goes.
+struct NumberKey {
+  std::string_view name;
+  double low;
+  double high;
+  void (*apply)(Settings*, double);
+};
+
+constexpr std::array<NumberKey, 6> kNumberKeys{{
+    {"effort", 0.01, 100.0,
+     [](Settings* s, double v) {
+       const double perRun = v * static_cast<double>(s->annealing.iterationsPerRun);
+       const double least = v * static_cast<double>(s->annealing.minIterations);
+       s->annealing.iterationsPerRun = static_cast<std::uint32_t>(perRun + 1.0);
+       s->annealing.minIterations = static_cast<std::uint32_t>(least + 1.0);
+     }},
+    {"starts", 1.0, 10000.0,
+     [](Settings* s, double v) { s->annealing.starts = static_cast<int>(v); }},
+    {"rounds", 0.0, 1000.0,
+     [](Settings* s, double v) { s->annealing.maxRounds = static_cast<std::uint32_t>(v); }},
+    {"startTemperature", 1e-3, 1e6,
+     [](Settings* s, double v) { s->annealing.startTemperature = v; }},
+    {"endTemperature", 1e-4, 1e6,
+     [](Settings* s, double v) { s->annealing.endTemperature = v; }},
+    {"mechanismParts", 1.0, 3.0,
+     [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
+}};
+
+Error invalid(const std::string& message) { return {Status::kInvalidInput, message}; }
+
+std::vector<std::string> splitList(const std::string& text) {
+  std::vector<std::string> items;
+  std::string item;
+  for (const char c : text + ",") {
+    if (c != ',') {
+      item += c;
+    } else if (!item.empty()) {
+      items.push_back(item);
+      item.clear();
+    }
+  }
+  return items;
+}
+
+std::string numberText(double v) { return json(v).dump(); }
+
+//! A number, also when it came as text from the command line; NaN when it is neither.
+double numberOf(const json& value) {
+  if (value.is_number()) {
+    return value.get<double>();
+  }
+  if (value.is_string()) {
+    const json parsed = json::parse(value.get<std::string>(), nullptr, false);
+    if (parsed.is_number()) {
+      return parsed.get<double>();
+    }
+  }
+  return std::nan("");
+}
+
+std::string textOf(const json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+base::Result<bool> applyList(Settings* settings, const std::string& key, const json& value) {
+  const std::vector<std::string> items = splitList(textOf(value));
+  if (key == "connectors") {
+    for (const std::string& id : items) {
+      if (parts::Catalogue::builtIn().find(id) == nullptr) {
+        return invalid("set.connectors: no part " + id + " in the catalogue");
+      }
+    }
+    settings->connectors = items;
+    return true;
+  }
+  const std::vector<int> known{2, 3, 5, 6, 7, 9, 11, 13, 15};
+  std::vector<int> lengths;
+  for (const std::string& item : items) {
+    const double number = numberOf(json(item));
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](int n) { return n == number; });
+    if (found == known.end()) {
+      return invalid("set.lengths: " + item + " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
+    }
+    lengths.push_back(*found);
+  }
+  if (lengths.empty()) {
+    return invalid("set.lengths: at least one beam length is needed, such as \"3,5,9,15\"");
+  }
+  std::sort(lengths.begin(), lengths.end());
+  settings->annealing.lengths = lengths;
+  return true;
+}
+
+std::string knownKeys() {
+  std::string keys = "connectors, lengths";
+  for (const NumberKey& key : kNumberKeys) {
+    keys += ", " + std::string(key.name);
+  }
+  for (const objective::Term& term : objective::kTerms) {
+    keys += ", weights." + std::string(term.name);
+  }
+  return keys;
+}
+
+base::Result<bool> applyKey(Settings* settings, const std::string& key, const json& value) {
+  if (key == "connectors" || key == "lengths") {
+    return applyList(settings, key, value);
+  }
+  const double number = numberOf(value);
+  const std::string prefix = "weights.";
+  if (key.rfind(prefix, 0) == 0) {
+    const auto term = objective::termIndex(key.substr(prefix.size()));
+    if (term && number >= 0.0 && number <= kMaxWeight) {
+      settings->annealing.weights[*term] = number;
+      return true;
+    }
+    if (term) {
+      return invalid("set." + key + ": a number from 0 to 1000000 is needed, not " + value.dump());
+    }
+  }
+  for (const NumberKey& known : kNumberKeys) {
+    if (known.name != key) {
+      continue;
+    }
+    if (!(number >= known.low && number <= known.high)) {
+      return invalid("set." + key + ": a number from " + numberText(known.low) + " to " +
+                     numberText(known.high) + " is needed, not " + value.dump());
+    }
+    known.apply(settings, number);
+    return true;
+  }
+  return invalid("set." + key + ": no such key; known are " + knownKeys());
+}
+
+base::Result<bool> applyTop(Settings* settings, const json& root) {
+  for (const auto& [key, value] : root.items()) {
+    if (key == "seed") {
+      const double seed = numberOf(value);
+      if (!(seed >= 0.0 && seed <= 9007199254740991.0) || seed != std::floor(seed)) {
+        return invalid("seed: a whole number from 0 to 9007199254740991 is needed, not " +
+                       value.dump());
+      }
+      settings->annealing.seed = static_cast<std::uint64_t>(seed);
+    } else if (key == "preset") {
+      const auto preset = objective::presetFromName(textOf(value));
+      if (!preset) {
+        return invalid("preset: " + textOf(value) +
+                       " is none of faithful, simple, faithful-rigid, simple-rigid");
+      }
+      settings->preset = *preset;
+      settings->annealing.weights = objective::searchWeights(*preset);
+    } else if (key == "method") {
+      if (textOf(value) != "default") {
+        return invalid("method: " + textOf(value) + " is unknown; use default");
+      }
+    } else if (key != "set") {
+      return invalid("settings: no such key " + key + "; known are seed, preset, method, set");
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+base::Result<Settings> readSettings(std::string_view text) {
+  Settings settings;
+  if (text.empty()) {
+    return settings;
+  }
+  const json root = json::parse(text, nullptr, false);
+  if (!root.is_object()) {
+    return invalid("settings: a JSON object is needed, such as {\"seed\": 1}");
+  }
+  const base::Result<bool> top = applyTop(&settings, root);
+  if (!top.ok()) {
+    return top.error();
+  }
+  if (const auto set = root.find("set"); set != root.end()) {
+    if (!set->is_object()) {
+      return invalid("set: an object of keys and values is needed");
+    }
+    for (const auto& [key, value] : set->items()) {
+      const base::Result<bool> applied = applyKey(&settings, key, value);
+      if (!applied.ok()) {
+        return applied.error();
+      }
+    }
+  }
+  return settings;
+}
+
+std::string settingsJson(const Settings& settings) {
+  json weights = json::object();
+  for (std::size_t i = 0; i < objective::kTerms.size(); ++i) {
+    weights[std::string(objective::kTerms[i].name)] = settings.annealing.weights[i];
+  }
+  const search::AnnealingOptions& a = settings.annealing;
+  return json{{"seed", a.seed},
+              {"preset", std::string(objective::nameOf(settings.preset))},
+              {"method", settings.method},
+              {"starts", a.starts},
+              {"rounds", a.maxRounds},
+              {"startTemperature", a.startTemperature},
+              {"endTemperature", a.endTemperature},
+              {"mechanismParts", settings.mechanismParts},
+              {"lengths", a.lengths},
+              {"connectors", settings.connectors},
+              {"weights", weights}}
+      .dump();
+}
+
+}  // namespace liftarm::design

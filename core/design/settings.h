@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/status.h"
+#include "objective/objective.h"
+#include "search/annealer.h"
+
+namespace liftarm::design {
+
+//! \brief What a person may set. The defaults serve every sketch (DESIGN 7).
+struct Settings {
+  objective::Preset preset = objective::Preset::kSimple;
+  std::string method = "default";
+  search::AnnealingOptions annealing;
+  std::vector<std::string> connectors{"2780", "6558", "87082", "15100", "48989", "55615"};
+  int mechanismParts = 2;   //!< most connecting parts in one mechanism
+};
+
+//! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.
+//! \details Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual number of
+//! iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`, `mechanismParts`,
+//! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082").
+//! \return The settings, or one message that names the key and what would be right.
+base::Result<Settings> readSettings(std::string_view json);
+
+//! \brief The settings as JSON with every key, for the contract with the page.
+std::string settingsJson(const Settings& settings);
+
+}  // namespace liftarm::design

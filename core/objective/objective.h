@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "objective/term.h"
+
+namespace liftarm::objective {
+
+//! \brief A weight for each term of kTerms.
+using Weights = std::array<double, kTerms.size()>;
+
+//! \brief Place of a term in kTerms and Weights.
+std::optional<std::size_t> termIndex(std::string_view name);
+
+//! \brief What a person asks for (paper 4.3; DESIGN 7).
+enum class Preset { kFaithful, kSimple, kFaithfulRigid, kSimpleRigid };
+
+std::optional<Preset> presetFromName(std::string_view name);
+std::string_view nameOf(Preset preset);
+
+//! \brief Weights of the default search, in units of one connecting part; the same for all sketches.
+Weights searchWeights(Preset preset);
+
+//! \brief The paper's weights (4.3) for its own terms; all others 0.
+Weights paperWeights(Preset preset);
+
+//! \brief The weighted sum of all terms.
+double value(const Measures& measures, const Weights& weights);
+
+//! \brief By how much a change of layout changes the objective: exact, since both sides are sums.
+double delta(const Measures& before, const Measures& after, const Weights& weights);
+
+}  // namespace liftarm::objective
