@@ -102,6 +102,7 @@ function PaletteRow(props: {
     <div
       id={`command-${command.id}`}
       role="option"
+      tabIndex={-1}
       aria-selected={props.active}
       ref={(element) => {
         if (props.active) {

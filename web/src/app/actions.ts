@@ -1,0 +1,28 @@
+import type { SketchDocument, SketchLine } from '../model/sketch.ts';
+import type { ToolId } from '../tools/tool.ts';
+import type { StandardView } from '../view/view-types.ts';
+import type { PageState } from './page-state.ts';
+
+/** What the commands are made of. The page does it; tests record it. */
+export interface Actions {
+  readonly state: PageState;
+  /** Lines that were copied last. */
+  clipboard: readonly SketchLine[];
+  useTool(id: ToolId): void;
+  /** Puts an edit into the history. */
+  edit(label: string, next: SketchDocument): void;
+  undo(): void;
+  redo(): void;
+  newSketch(): void;
+  chooseFile(): void;
+  saveSketch(): void;
+  saveModel(): void;
+  exportModel(format: 'mpd' | 'parts.csv'): void;
+  savePicture(): void;
+  share(): void;
+  generate(): void;
+  cancel(): void;
+  fit(): void;
+  setView(view: StandardView): void;
+  announce(message: string): void;
+}

@@ -1,0 +1,215 @@
+import { boundsOfPoints } from '../../model/bounds.ts';
+import type { SketchLine } from '../../model/sketch.ts';
+import { type AxisName, scale, type Vec3 } from '../../model/vec.ts';
+import { connectedLines, joinLines } from '../../state/connectivity.ts';
+import {
+  addLines,
+  type LineMap,
+  mapLine,
+  mapLines,
+  mirrorAt,
+  quarterTurn,
+  removeLines,
+} from '../../state/edits.ts';
+import type { Command } from '../../ui/command.ts';
+import { text } from '../../ui/text.ts';
+import type { Actions } from '../actions.ts';
+import { pasteLines, selectedLines } from '../clipboard.ts';
+
+/** Undo, clipboard, and everything that changes the selected lines. */
+export function editCommands(actions: Actions): Command[] {
+  return [
+    ...historyCommands(actions),
+    ...selectionCommands(actions),
+    ...clipboardCommands(actions),
+    ...transformCommands(actions),
+  ];
+}
+
+function historyCommands({ state, undo, redo }: Actions): Command[] {
+  return [
+    {
+      id: 'undo',
+      label: text.commands.undo,
+      group: 'edit',
+      icon: 'undo',
+      shortcut: 'Mod+Z',
+      when: () => state.store.canUndo.value,
+      run: undo,
+    },
+    {
+      id: 'redo',
+      label: text.commands.redo,
+      group: 'edit',
+      icon: 'redo',
+      shortcut: 'Mod+Shift+Z',
+      when: () => state.store.canRedo.value,
+      run: redo,
+    },
+  ];
+}
+
+function selectionCommands(actions: Actions): Command[] {
+  const { store } = actions.state;
+  const some = () => store.selection.value.size > 0;
+  const any = () => store.sketch.value.lines.length > 0;
+  const row = { group: 'edit', icon: 'select' } as const;
+  return [
+    {
+      ...row,
+      id: 'delete',
+      label: text.commands.delete,
+      icon: 'trash',
+      shortcut: 'Delete',
+      when: some,
+      run: () =>
+        actions.edit(text.edits.delete, removeLines(store.sketch.value, store.selection.value)),
+    },
+    {
+      ...row,
+      id: 'selectAll',
+      label: text.commands.selectAll,
+      icon: 'all',
+      shortcut: 'Mod+A',
+      when: any,
+      run: () => {
+        actions.useTool('select');
+        store.select(store.sketch.value.lines.keys());
+      },
+    },
+    {
+      ...row,
+      id: 'selectConnected',
+      label: text.commands.selectConnected,
+      shortcut: 'C',
+      when: some,
+      run: () => store.select(connectedLines(store.sketch.value, store.selection.value)),
+    },
+    {
+      ...row,
+      id: 'join',
+      label: text.commands.join,
+      icon: 'merge',
+      when: () => store.selection.value.size > 1,
+      run: () =>
+        actions.edit(text.edits.join, joinLines(store.sketch.value, store.selection.value)),
+    },
+  ];
+}
+
+function clipboardCommands(actions: Actions): Command[] {
+  const { store } = actions.state;
+  const some = () => store.selection.value.size > 0;
+  const chosen = () => selectedLines(store.sketch.value, store.selection.value);
+  const paste = (label: string, lines: readonly SketchLine[]) => {
+    const pasted = pasteLines(store.sketch.value, lines);
+    actions.edit(label, pasted.sketch);
+    actions.useTool('select');
+    store.select(pasted.added);
+  };
+  const copy = () => {
+    actions.clipboard = chosen();
+  };
+  const row = { group: 'edit', icon: 'copy' } as const;
+  return [
+    { ...row, id: 'copy', label: text.commands.copy, shortcut: 'Mod+C', when: some, run: copy },
+    {
+      ...row,
+      id: 'cut',
+      label: text.commands.cut,
+      shortcut: 'Mod+X',
+      when: some,
+      run: () => {
+        copy();
+        actions.edit(text.edits.cut, removeLines(store.sketch.value, store.selection.value));
+      },
+    },
+    {
+      ...row,
+      id: 'paste',
+      label: text.commands.paste,
+      icon: 'paste',
+      shortcut: 'Mod+V',
+      run: () => paste(text.edits.paste, actions.clipboard),
+    },
+    {
+      ...row,
+      id: 'duplicate',
+      label: text.commands.duplicate,
+      shortcut: 'Mod+D',
+      when: some,
+      run: () => paste(text.edits.duplicate, chosen()),
+    },
+  ];
+}
+
+const MIRRORS: readonly (readonly [string, AxisName, string, string | undefined])[] = [
+  ['mirrorX', 'x', text.commands.mirrorX, 'M'],
+  ['mirrorY', 'y', text.commands.mirrorY, 'Shift+M'],
+  ['mirrorZ', 'z', text.commands.mirrorZ, undefined],
+];
+
+const TURNS: readonly (readonly [string, AxisName, string, string | undefined])[] = [
+  ['rotateX', 'x', text.commands.rotateX, undefined],
+  ['rotateY', 'y', text.commands.rotateY, undefined],
+  ['rotateZ', 'z', text.commands.rotateZ, 'Shift+R'],
+];
+
+function transformCommands(actions: Actions): Command[] {
+  const { store } = actions.state;
+  const some = () => store.selection.value.size > 0;
+  const middle = () => wholeMiddle(selectedLines(store.sketch.value, store.selection.value));
+  const inPlace = (label: string, map: LineMap) =>
+    actions.edit(label, mapLines(store.sketch.value, store.selection.value, map));
+  return [
+    ...MIRRORS.map(
+      ([id, axis, label, shortcut]): Command => ({
+        id,
+        label,
+        group: 'edit',
+        icon: 'mirror',
+        ...(shortcut ? { shortcut } : {}),
+        when: some,
+        run: () => mirrorCopy(actions, axis),
+      }),
+    ),
+    ...TURNS.map(
+      ([id, axis, label, shortcut]): Command => ({
+        id,
+        label,
+        group: 'edit',
+        icon: 'rotate',
+        ...(shortcut ? { shortcut } : {}),
+        when: some,
+        run: () => inPlace(text.edits.rotate, quarterTurn(axis, middle())),
+      }),
+    ),
+    {
+      id: 'double',
+      label: text.commands.double,
+      group: 'edit',
+      icon: 'explode',
+      when: some,
+      run: () => inPlace(text.edits.scale, { point: (p) => scale(p, 2), axis: (axis) => axis }),
+    },
+  ];
+}
+
+/** Adds the mirror image at the far side of the selection, so that both halves touch. */
+function mirrorCopy(actions: Actions, axis: AxisName): void {
+  const { store } = actions.state;
+  const lines = selectedLines(store.sketch.value, store.selection.value);
+  const box = boundsOfPoints(lines.flatMap((line) => [line.from, line.to]));
+  if (box) {
+    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
+    const images = lines.map((line) => mapLine(line, mirrorAt(axis, box.max[k])));
+    actions.edit(text.edits.mirror, addLines(store.sketch.value, images));
+  }
+}
+
+/** The middle of some lines, moved to the lattice so that whole points turn into whole points. */
+function wholeMiddle(lines: readonly SketchLine[]): Vec3 {
+  const box = boundsOfPoints(lines.flatMap((line) => [line.from, line.to]));
+  const middle = (k: 0 | 1 | 2) => (box ? Math.round((box.min[k] + box.max[k]) / 2) : 0);
+  return [middle(0), middle(1), middle(2)];
+}

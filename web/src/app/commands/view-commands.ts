@@ -1,0 +1,127 @@
+import type { Preferences } from '../../state/preferences.ts';
+import type { Command } from '../../ui/command.ts';
+import type { IconName } from '../../ui/icon.tsx';
+import type { DialogName } from '../../ui/page.ts';
+import { text } from '../../ui/text.ts';
+import type { StandardView } from '../../view/view-types.ts';
+import type { Actions } from '../actions.ts';
+
+const VIEWS: readonly (readonly [string, StandardView, IconName, string, string | undefined])[] = [
+  ['viewIso', 'iso', 'cube', text.commands.viewIso, 'I'],
+  ['viewFront', 'front', 'viewFront', text.commands.viewFront, undefined],
+  ['viewRight', 'right', 'viewRight', text.commands.viewRight, undefined],
+  ['viewTop', 'top', 'viewTop', text.commands.viewTop, 'T'],
+  ['viewBack', 'back', 'cube', text.commands.viewBack, undefined],
+  ['viewLeft', 'left', 'cube', text.commands.viewLeft, undefined],
+  ['viewBottom', 'bottom', 'cube', text.commands.viewBottom, undefined],
+];
+
+const SHOWS: readonly (readonly [string, Preferences['show'], string])[] = [
+  ['showSketch', 'sketch', text.commands.showSketch],
+  ['showBoth', 'both', text.commands.showBoth],
+  ['showModel', 'model', text.commands.showModel],
+];
+
+const COLOURS: readonly (readonly [string, Preferences['colourBy'], string])[] = [
+  ['colourPart', 'part', text.commands.colourPart],
+  ['colourLayer', 'layer', text.commands.colourLayer],
+  ['colourComponent', 'component', text.commands.colourComponent],
+  ['colourPiece', 'piece', text.commands.colourPiece],
+];
+
+const THEMES: readonly (readonly [string, Preferences['theme'], string])[] = [
+  ['themeAuto', 'auto', text.commands.themeAuto],
+  ['themeLight', 'light', text.commands.themeLight],
+  ['themeDark', 'dark', text.commands.themeDark],
+];
+
+const DIALOGS: readonly (readonly [
+  NonNullable<DialogName>,
+  IconName,
+  string,
+  string | undefined,
+])[] = [
+  ['palette', 'search', text.commands.palette, 'Mod+K'],
+  ['help', 'help', text.commands.help, '?'],
+  ['about', 'info', text.commands.about, undefined],
+];
+
+/** Camera, colours, theme and the sheets. */
+export function viewCommands(actions: Actions): Command[] {
+  return [
+    ...cameraCommands(actions),
+    ...choices(actions, 'show', 'palette', SHOWS),
+    ...choices(actions, 'colourBy', 'palette', COLOURS),
+    ...choices(actions, 'theme', 'theme', THEMES),
+    ...DIALOGS.map(
+      ([id, icon, label, shortcut]): Command => ({
+        id,
+        label,
+        group: 'help',
+        icon,
+        ...(shortcut ? { shortcut } : {}),
+        run: () => {
+          actions.state.dialog.value = id;
+        },
+      }),
+    ),
+  ];
+}
+
+function cameraCommands(actions: Actions): Command[] {
+  const { preferences } = actions.state;
+  return [
+    {
+      id: 'fit',
+      label: text.commands.fit,
+      group: 'view',
+      icon: 'fit',
+      shortcut: 'F',
+      run: actions.fit,
+    },
+    ...VIEWS.map(
+      ([id, view, icon, label, shortcut]): Command => ({
+        id,
+        label,
+        group: 'view',
+        icon,
+        ...(shortcut ? { shortcut } : {}),
+        run: () => actions.setView(view),
+      }),
+    ),
+    {
+      id: 'projection',
+      label: text.commands.projection,
+      group: 'view',
+      icon: 'perspective',
+      shortcut: 'O',
+      checked: () => preferences.value.projection === 'perspective',
+      run: () => {
+        const now = preferences.value.projection;
+        const projection = now === 'perspective' ? 'orthographic' : 'perspective';
+        preferences.value = { ...preferences.value, projection };
+      },
+    },
+  ];
+}
+
+/** One command for each value that a preference can have. */
+function choices<K extends 'show' | 'colourBy' | 'theme'>(
+  { state: { preferences } }: Actions,
+  key: K,
+  icon: IconName,
+  rows: readonly (readonly [string, Preferences[K], string])[],
+): Command[] {
+  return rows.map(
+    ([id, value, label]): Command => ({
+      id,
+      label,
+      group: 'view',
+      icon,
+      checked: () => preferences.value[key] === value,
+      run: () => {
+        preferences.value = { ...preferences.value, [key]: value };
+      },
+    }),
+  );
+}

@@ -1,0 +1,48 @@
+import { readSketchValue } from '../state/read-sketch.ts';
+import type { Example } from '../ui/page.ts';
+
+/** Reads JSON from beside the page; null when it is not there. */
+type FetchJson = (path: string) => Promise<unknown>;
+
+/** The examples in the order of their index. One that cannot be read is left out. */
+export async function loadExamples(fetchJson: FetchJson): Promise<Example[]> {
+  const index = await fetchJson('examples/index.json');
+  const rows = entriesOf(index);
+  const loaded = await Promise.all(rows.map((row) => loadExample(row, fetchJson)));
+  return loaded.filter((example) => example !== null);
+}
+
+interface IndexRow {
+  readonly file: string;
+  readonly title: string;
+  readonly description: string;
+}
+
+async function loadExample(row: IndexRow, fetchJson: FetchJson): Promise<Example | null> {
+  const sketch = readSketchValue(await fetchJson(`examples/${row.file}`));
+  return sketch.ok ? { ...row, sketch: sketch.value } : null;
+}
+
+function entriesOf(index: unknown): IndexRow[] {
+  const list =
+    typeof index === 'object' && index !== null && 'examples' in index ? index.examples : index;
+  if (!Array.isArray(list)) {
+    return [];
+  }
+  return list.flatMap((entry: unknown) => {
+    const row = rowOf(entry);
+    return row ? [row] : [];
+  });
+}
+
+function rowOf(entry: unknown): IndexRow | null {
+  if (typeof entry !== 'object' || entry === null) {
+    return null;
+  }
+  const { file, title, name, description } = entry as Record<string, unknown>;
+  if (typeof file !== 'string' || !/^[\w-]+(\.[\w-]+)*\.json$/.test(file)) {
+    return null;
+  }
+  const label = typeof title === 'string' ? title : typeof name === 'string' ? name : file;
+  return { file, title: label, description: typeof description === 'string' ? description : '' };
+}

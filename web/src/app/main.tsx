@@ -1,0 +1,162 @@
+import { computed, effect } from '@preact/signals';
+import { render } from 'preact';
+import catalogueFile from '../../../core/parts/catalogue.json';
+import { readCatalogue } from '../model/catalogue.ts';
+import { decodeShare } from '../share/codec.ts';
+import { createSolverClient } from '../solver/client.ts';
+import { Autosaver, loadSaved } from '../state/autosave.ts';
+import { keptPreferences, type TextStorage } from '../state/preferences.ts';
+import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/storage.ts';
+import { SketchStore } from '../state/store.ts';
+import type { Page } from '../ui/page.ts';
+import { Root } from '../ui/root.tsx';
+import { text } from '../ui/text.ts';
+import '../../styles/tokens.css';
+import '../../styles/base.css';
+import '../../styles/layout.css';
+import '../../styles/controls.css';
+import '../../styles/panel.css';
+import '../../styles/dialogs.css';
+import { solveAfterEdits } from './auto-solve.ts';
+import { commandTable } from './commands.ts';
+import { listenToDrops } from './drop.ts';
+import { loadExamples } from './example-list.ts';
+import { listenToKeys } from './keyboard.ts';
+import { PageController } from './page-controller.ts';
+import { followTheme } from './theme.ts';
+
+const ADDRESS_PAUSE_MS = 600;
+
+function localTextStorage(): TextStorage | null {
+  try {
+    return window.localStorage;
+  } catch {
+    return null;
+  }
+}
+
+async function openStore(onMissing: () => void): Promise<KeyValueStore> {
+  try {
+    return await openBrowserStore('liftarm');
+  } catch {
+    onMissing();
+    return memoryStore();
+  }
+}
+
+async function fetchJson(path: string): Promise<unknown> {
+  const reply = await fetch(path);
+  return reply.ok ? reply.json() : null;
+}
+
+function pageOf(controller: PageController): Page {
+  const { state, toaster, scene } = controller;
+  return {
+    ...state,
+    commands: commandTable(controller),
+    toasts: toaster.toasts,
+    webglMissing: scene.webglMissing,
+    mac: /mac/i.test(navigator.platform),
+    mountScene: (host) => scene.mount(host),
+    useTool: controller.useTool,
+    openExample: controller.openExample,
+    openFile: controller.openFile,
+    focusProblem: controller.focusProblem,
+    rename: controller.rename,
+    dismissToast: (id) => toaster.dismiss(id),
+    typeLength: controller.typeLength,
+  };
+}
+
+/** What to begin with: a link, else the last visit's sketch, else the first example. */
+async function openFirst(controller: PageController, kept: KeyValueStore): Promise<void> {
+  const { state, toaster } = controller;
+  const saved = await loadSaved(kept).catch(() => null);
+  if (saved) {
+    state.store.restore(saved);
+    controller.fit();
+  }
+  const shared = await decodeShare(location.hash.slice(1));
+  if (shared && !shared.ok) {
+    toaster.error(shared.message);
+  }
+  const same =
+    shared?.ok && JSON.stringify(shared.value.sketch) === JSON.stringify(saved?.sketch ?? null);
+  if (shared?.ok && !same) {
+    const refusal = controller.openShared(shared.value);
+    if (refusal === null) {
+      toaster.info(text.files.fromLink);
+      return;
+    }
+    toaster.error(refusal);
+  }
+  state.examples.value = await loadExamples(fetchJson).catch(() => []);
+  const first = state.examples.value[0];
+  if (!saved && first) {
+    state.store.restore({
+      sketch: { ...first.sketch, name: first.title },
+      history: { past: [], future: [] },
+    });
+    controller.fit();
+  }
+}
+
+async function start(): Promise<void> {
+  const store = new SketchStore();
+  const preferences = keptPreferences(localTextStorage());
+  const client = createSolverClient();
+  client.warmUp();
+  const catalogue = readCatalogue(catalogueFile);
+  const controller = new PageController({ store, preferences, catalogue, client });
+  const { state, toaster } = controller;
+  followTheme(state);
+  const page = pageOf(controller);
+  const root = document.getElementById('app');
+  if (!root) {
+    throw new Error('index.html has no #app');
+  }
+  root.replaceChildren();
+  render(<Root page={page} />, root);
+  listenToDrops(state.dropping, controller.openFile);
+  listenToKeys(
+    {
+      commands: page.commands,
+      mac: page.mac,
+      tool: () => state.tool.value,
+      covered: () => state.dialog.value !== null,
+      atRest: () => controller.useTool('select'),
+    },
+    new AbortController().signal,
+  );
+  const kept = await openStore(() => toaster.info(text.files.storeNone));
+  await openFirst(controller, kept);
+  const saver = new Autosaver(kept, () => toaster.error(text.files.storeFull));
+  effect(() => {
+    // The history changes with every captured edit and with nothing else.
+    store.history.value;
+    saver.save(store.save());
+  });
+  solveAfterEdits(state, controller.generate, () => controller.run.drop());
+  keepAddress(controller);
+  state.examples.value ??= await loadExamples(fetchJson).catch(() => []);
+}
+
+/** The address holds the sketch a moment after each change. */
+function keepAddress(controller: PageController): void {
+  const { store, preferences } = controller.state;
+  const shared = computed(() => [
+    store.sketch.value,
+    preferences.value.seed,
+    preferences.value.preset,
+  ]);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    shared.value;
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      controller.updateAddress().catch(() => undefined);
+    }, ADDRESS_PAUSE_MS);
+  });
+}
+
+await start();

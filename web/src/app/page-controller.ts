@@ -1,0 +1,336 @@
+import { signal } from '@preact/signals';
+import type { Catalogue } from '../model/catalogue.ts';
+import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
+import { encodeShare } from '../share/codec.ts';
+import type { SolverClient } from '../solver/client.ts';
+import type { SolveSettings } from '../solver/protocol.ts';
+import { type Preferences, parseAdvanced } from '../state/preferences.ts';
+import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
+import type { SketchStore } from '../state/store.ts';
+import { nextPlaneMode } from '../tools/guide.ts';
+import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
+import { createTools } from '../tools/tool-set.ts';
+import { fillWords } from '../tools/tool-words.ts';
+import type { Example } from '../ui/page.ts';
+import { text } from '../ui/text.ts';
+import type { StandardView } from '../view/view-types.ts';
+import type { Actions } from './actions.ts';
+import { download, fileName } from './download.ts';
+import { readOpenedFile } from './files.ts';
+import { PageState } from './page-state.ts';
+import { SceneBridge } from './scene-bridge.ts';
+import { SolveRun } from './solve-run.ts';
+import { Toaster } from './toasts.ts';
+
+interface ControllerOptions {
+  readonly store: SketchStore;
+  readonly preferences: PageState['preferences'];
+  readonly catalogue: Catalogue;
+  readonly client: SolverClient;
+}
+
+const PICTURE = { width: 1600, height: 1200 } as const;
+const TURN_BACK_MS = 50;
+
+/** Does what the commands ask for. It owns the parts of the page; each part knows only itself. */
+export class PageController implements Actions {
+  readonly state: PageState;
+  readonly scene: SceneBridge;
+  readonly toaster = new Toaster();
+  readonly run: SolveRun;
+  readonly #client: SolverClient;
+  readonly #tools: ReadonlyMap<ToolId, Tool>;
+  clipboard: readonly SketchLine[] = [];
+
+  constructor(options: ControllerOptions) {
+    const { store, preferences, catalogue, client } = options;
+    this.#client = client;
+    this.run = new SolveRun(client);
+    const planeMode = signal<PlaneMode>('auto');
+    let scene: SceneBridge | null = null;
+    this.#tools = createTools({
+      store,
+      view: {
+        rayAt: (at) => this.scene.toolView.rayAt(at),
+        project: (point) => this.scene.toolView.project(point),
+        pickAt: (at) => this.scene.toolView.pickAt(at),
+        // Tools ask for it while they are made, before there is a scene.
+        viewDirection: () => scene?.toolView.viewDirection() ?? [0, 0, -1],
+      },
+      plane: planeMode,
+      nextPlane: () => {
+        planeMode.value = nextPlaneMode(planeMode.value);
+      },
+      announce: (message) => this.announce(message),
+      words: text,
+    });
+    this.state = new PageState({
+      store,
+      preferences,
+      catalogue,
+      solve: this.run.state,
+      shown: this.run.shown,
+      tool: signal(this.#toolOf('select')),
+      planeMode,
+    });
+    scene = new SceneBridge(this.state, catalogue);
+    this.scene = scene;
+  }
+
+  // --- Tools and edits -----------------------------------------------------------------------
+
+  readonly useTool = (id: ToolId): void => {
+    const { tool } = this.state;
+    tool.value.reset();
+    tool.value = this.#toolOf(id);
+    tool.value.reset();
+    this.announce(text.toolNames[id]);
+  };
+
+  readonly edit = (label: string, next: SketchDocument): void => {
+    this.state.store.commit(label, next);
+    this.announce(label);
+  };
+
+  readonly undo = (): void => {
+    this.state.tool.value.reset();
+    const label = this.state.store.undo();
+    this.announce(`${text.commands.undo}: ${label ?? ''}`);
+  };
+
+  readonly redo = (): void => {
+    this.state.tool.value.reset();
+    const label = this.state.store.redo();
+    this.announce(`${text.commands.redo}: ${label ?? ''}`);
+  };
+
+  readonly announce = (message: string): void => {
+    const { announcement } = this.state;
+    // The same words again are said again only when the text changes.
+    announcement.value = announcement.value === message ? `${message}\u00a0` : message;
+  };
+
+  readonly rename = (name: string): void => {
+    const sketch = this.state.store.sketch.value;
+    if ((sketch.name ?? '') !== name.trim()) {
+      this.edit(text.edits.rename, { ...sketch, name: name.trim() });
+    }
+  };
+
+  // --- Files ---------------------------------------------------------------------------------
+
+  readonly newSketch = (): void => {
+    this.run.clear();
+    this.edit(text.edits.clear, emptySketch());
+    this.useTool('line');
+    this.fit();
+  };
+
+  /** Puts another sketch on the page; undo brings the old one back. */
+  replaceSketch(sketch: SketchDocument): void {
+    this.state.tool.value.reset();
+    this.run.clear();
+    this.state.focusedProblem.value = null;
+    this.edit(text.edits.open, sketch);
+    this.useTool('select');
+    this.fit();
+  }
+
+  readonly openExample = (example: Example): void => {
+    this.replaceSketch({ ...example.sketch, name: example.title });
+    this.generate();
+  };
+
+  readonly chooseFile = (): void => {
+    const input = document.createElement('input');
+    input.type = 'file';
+    input.accept = '.json,application/json';
+    input.onchange = () => {
+      const file = input.files?.[0];
+      if (file) {
+        this.openFile(file);
+      }
+    };
+    input.click();
+  };
+
+  readonly openFile = (file: File): void => {
+    this.toaster.clearErrors();
+    this.#open(file).catch(() => this.#refuse(file.name, text.files.unreadable));
+  };
+
+  async #open(file: File): Promise<void> {
+    const opened = await readOpenedFile(file, this.#client);
+    if (!opened.ok) {
+      this.#refuse(file.name, opened.message);
+      return;
+    }
+    if (opened.value.kind === 'sketch') {
+      const { sketch } = opened.value;
+      const name = sketch.name || file.name.replace(/(\.sketch)?\.json$/i, '');
+      this.replaceSketch({ ...sketch, name });
+      this.toaster.info(fillWords(text.files.opened, { name }));
+      return;
+    }
+    const refusal = await this.run.showFile(opened.value.json, (sketch) => {
+      this.edit(text.edits.open, sketch);
+    });
+    if (refusal !== null) {
+      this.#refuse(file.name, refusal);
+      return;
+    }
+    this.useTool('select');
+    this.fit();
+    this.toaster.info(fillWords(text.files.openedModel, { name: file.name }));
+  }
+
+  #refuse(name: string, message: string): void {
+    this.toaster.error(fillWords(text.files.refused, { name, message }));
+  }
+
+  readonly saveSketch = (): void => {
+    const sketch = this.state.store.sketch.value;
+    this.#save('sketch.json', writeSketch(sketch), 'application/json');
+  };
+
+  readonly saveModel = (): void => {
+    const shown = this.state.shown.value;
+    if (shown) {
+      this.#save('model.json', shown.json, 'application/json');
+    }
+  };
+
+  readonly exportModel = (format: 'mpd' | 'parts.csv'): void => {
+    const shown = this.state.shown.value;
+    if (!shown) {
+      return;
+    }
+    const failed = (message: string) =>
+      this.toaster.error(fillWords(text.files.exportFailed, { message }));
+    this.#client.exportModel(shown.json, format).then(
+      (result) => {
+        if (result.outcome === 'ok') {
+          this.#save(format, result.text, format === 'mpd' ? 'application/x-ldraw' : 'text/csv');
+        } else {
+          failed(result.message);
+        }
+      },
+      (error: unknown) => failed(error instanceof Error ? error.message : ''),
+    );
+  };
+
+  readonly savePicture = (): void => {
+    this.scene.view
+      ?.renderToPng(PICTURE.width, PICTURE.height)
+      .then((picture) => download(fileName(this.#title(), 'png'), picture))
+      .catch((error: unknown) => this.toaster.error(String(error)));
+  };
+
+  #save(extension: string, content: string, type: string): void {
+    download(fileName(this.#title(), extension), new Blob([content], { type }));
+  }
+
+  #title(): string {
+    return this.state.store.sketch.value.name ?? '';
+  }
+
+  // --- Search --------------------------------------------------------------------------------
+
+  readonly generate = (): void => {
+    const sketch = this.state.store.sketch.value;
+    this.state.focusedProblem.value = null;
+    this.run.start(sketch, settingsOf(this.state.preferences.value)).catch(() => undefined);
+  };
+
+  readonly cancel = (): void => this.run.cancel();
+
+  // --- View ----------------------------------------------------------------------------------
+
+  readonly fit = (): void => {
+    // After the scene has taken the new sketch, which it does when the signals have settled.
+    setTimeout(() => this.scene.view?.fit(), TURN_BACK_MS);
+  };
+
+  readonly setView = (view: StandardView): void => {
+    this.scene.view?.fit(view);
+  };
+
+  readonly focusProblem = (index: number): void => {
+    const { focusedProblem, result } = this.state;
+    const same = focusedProblem.value === index;
+    focusedProblem.value = same ? null : index;
+    const problem = same ? null : result.value?.problems[index];
+    if (problem) {
+      this.announce(problem.message);
+      this.scene.showPlace(problem);
+    }
+  };
+
+  readonly typeLength = (value: string): void => {
+    const tool = this.state.tool.value;
+    for (let i = 0; i < 4; i++) {
+      tool.key({ key: 'Backspace', shift: false });
+    }
+    for (const digit of value.replace(/\D/g, '')) {
+      tool.key({ key: digit, shift: false });
+    }
+  };
+
+  // --- Sharing -------------------------------------------------------------------------------
+
+  /** Puts the sketch into the address. @returns the refusal, or null. */
+  async updateAddress(): Promise<string | null> {
+    const { preset, seed } = this.state.preferences.value;
+    const sketch = this.state.store.sketch.value;
+    if (sketch.lines.length === 0) {
+      history.replaceState(null, '', location.pathname + location.search);
+      return null;
+    }
+    const fragment = await encodeShare({ sketch, preset, seed });
+    if (!fragment.ok) {
+      history.replaceState(null, '', location.pathname + location.search);
+      return fragment.message;
+    }
+    history.replaceState(null, '', `#${fragment.value}`);
+    return null;
+  }
+
+  readonly share = (): void => {
+    this.updateAddress()
+      .then(async (refusal) => {
+        if (refusal !== null) {
+          this.toaster.error(refusal);
+          return;
+        }
+        await navigator.clipboard.writeText(location.href);
+        this.toaster.info(text.files.copied);
+      })
+      .catch(() => this.toaster.error(text.files.copyFailed));
+  };
+
+  /** A sketch that came from a link is checked like one from a file. */
+  openShared(state: { sketch: SketchDocument; preset: string; seed: number }): string | null {
+    const sketch = readSketchValue(state.sketch);
+    if (!sketch.ok) {
+      return sketch.message;
+    }
+    const { preferences } = this.state;
+    const preset = state.preset in text.settings.presets ? state.preset : preferences.value.preset;
+    preferences.value = { ...preferences.value, preset, seed: state.seed };
+    this.replaceSketch(sketch.value);
+    return null;
+  }
+
+  #toolOf(id: ToolId): Tool {
+    const tool = this.#tools.get(id);
+    if (!tool) {
+      throw new RangeError(`no tool ${id}`);
+    }
+    return tool;
+  }
+}
+
+function settingsOf(preferences: Preferences): SolveSettings {
+  const { seed, preset, advanced } = preferences;
+  return { seed, preset, set: parseAdvanced(advanced) };
+}

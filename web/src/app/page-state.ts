@@ -1,0 +1,130 @@
+import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
+import type { Catalogue } from '../model/catalogue.ts';
+import { colourHex, colourName } from '../model/colours.ts';
+import { countParts } from '../model/counts.ts';
+import { lineLength, type SketchDocument } from '../model/sketch.ts';
+import type { Vec3 } from '../model/vec.ts';
+import type { Preferences } from '../state/preferences.ts';
+import type { SketchStore } from '../state/store.ts';
+import type { PlaneMode, Tool } from '../tools/tool.ts';
+import type { DialogName, Example, PartRow, ResultState, SolveState } from '../ui/page.ts';
+import type { ShownModel } from './solve-run.ts';
+
+/** Up to this size a sketch is solved after each edit: a second or two on a slow machine. */
+const SMALL = { lines: 80, length: 500 } as const;
+
+interface PageStateOptions {
+  readonly store: SketchStore;
+  readonly preferences: Signal<Preferences>;
+  readonly catalogue: Catalogue;
+  readonly solve: ReadonlySignal<SolveState>;
+  readonly shown: ReadonlySignal<ShownModel | null>;
+  readonly tool: Signal<Tool>;
+  readonly planeMode: Signal<PlaneMode>;
+}
+
+/** All signals of the page, and what follows from them. */
+export class PageState {
+  readonly store: SketchStore;
+  readonly preferences: Signal<Preferences>;
+  readonly solve: ReadonlySignal<SolveState>;
+  readonly shown: ReadonlySignal<ShownModel | null>;
+  readonly tool: Signal<Tool>;
+  readonly planeMode: Signal<PlaneMode>;
+  readonly explode = signal(0);
+  readonly dialog = signal<DialogName>(null);
+  readonly examples = signal<readonly Example[] | null>(null);
+  readonly announcement = signal('');
+  readonly panelOpen = signal(false);
+  readonly dropping = signal(false);
+  readonly focusedProblem = signal<number | null>(null);
+  readonly hoveredPartIndex = signal<number | null>(null);
+  readonly systemDark = signal(false);
+
+  readonly result: ReadonlySignal<ResultState | null>;
+  readonly stale: ReadonlySignal<boolean>;
+  readonly small: ReadonlySignal<boolean>;
+  readonly themeName: ReadonlySignal<'light' | 'dark'>;
+  readonly problemPoints: ReadonlySignal<readonly Vec3[]>;
+  readonly hoveredPart: ReadonlySignal<string | null>;
+  readonly partMarks: ReadonlySignal<{
+    readonly hovered: number | null;
+    readonly errors: ReadonlySet<number>;
+  }>;
+
+  constructor(options: PageStateOptions) {
+    const { store, preferences, catalogue, solve, shown } = options;
+    this.store = store;
+    this.preferences = preferences;
+    this.solve = solve;
+    this.shown = shown;
+    this.tool = options.tool;
+    this.planeMode = options.planeMode;
+    this.result = computed(() => {
+      const model = shown.value;
+      return model && resultOf(model, catalogue);
+    });
+    const sketchText = computed(() => searchText(store.sketch.value));
+    const shownText = computed(() => {
+      const sketch = shown.value?.sketch;
+      return sketch ? searchText(sketch) : null;
+    });
+    this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    this.small = computed(() => isSmall(store.sketch.value));
+    this.themeName = computed(() => {
+      const { theme } = preferences.value;
+      return theme === 'auto' ? (this.systemDark.value ? 'dark' : 'light') : theme;
+    });
+    this.problemPoints = computed(() => {
+      const problems = this.stale.value ? [] : (this.result.value?.problems ?? []);
+      return problems.flatMap((problem) => (problem.at ? [problem.at] : []));
+    });
+    this.hoveredPart = computed(() => {
+      const index = this.hoveredPartIndex.value;
+      return index === null ? null : (shown.value?.model.parts[index]?.part ?? null);
+    });
+    this.partMarks = computed(() => {
+      const focused = this.focusedProblem.value;
+      const problem = focused === null ? null : this.result.value?.problems[focused];
+      return { hovered: this.hoveredPartIndex.value, errors: new Set(problem?.parts ?? []) };
+    });
+  }
+}
+
+/** The text of a sketch without its name: equal texts give equal models. */
+export function searchText(sketch: SketchDocument): string {
+  const { name: _name, ...rest } = sketch;
+  return JSON.stringify(rest);
+}
+
+export function isSmall(sketch: SketchDocument): boolean {
+  const length = sketch.lines.reduce((sum, line) => sum + lineLength(line), 0);
+  return sketch.lines.length <= SMALL.lines && length <= SMALL.length;
+}
+
+function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
+  const { report, check, model } = shown;
+  return {
+    source: shown.source,
+    name: model.name,
+    report: report ?? {},
+    items: check?.items ?? [],
+    problems: check?.problems.length ? check.problems : (report?.problems ?? []),
+    buildable: check ? check.buildable : (report?.buildable ?? false),
+    rows: countParts(model).map(
+      (row): PartRow => ({
+        ...row,
+        name: shortName(catalogue.find(row.part)?.name ?? row.part),
+        colourName: colourName(row.color),
+        swatch: `#${colourHex(row.color).toString(16).padStart(6, '0')}`,
+      }),
+    ),
+    bricks: model.parts.length,
+    final: report !== null,
+  };
+}
+
+/** Every part here is a Technic part, so the word says nothing. */
+function shortName(name: string): string {
+  return name.replace(/^Technic\s+/, '');
+}

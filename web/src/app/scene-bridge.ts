@@ -1,0 +1,205 @@
+import { effect, signal } from '@preact/signals';
+import type { Catalogue } from '../model/catalogue.ts';
+import type { Problem } from '../model/report.ts';
+import type { OverlayLabel, PointerInput, ToolView } from '../tools/tool.ts';
+import { text } from '../ui/text.ts';
+import { SceneView } from '../view/scene-view.ts';
+import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
+import type { PageState } from './page-state.ts';
+import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
+
+const NOTHING: Pick = { line: null, node: null, part: null };
+const LABEL_OFFSET = 16;
+
+/** Puts the page's state into the scene and the scene's pointer into the tools. */
+export class SceneBridge implements PointerTarget {
+  readonly #state: PageState;
+  readonly #catalogue: Catalogue;
+  readonly webglMissing = signal(false);
+  #view: SceneView | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+  #label: HTMLElement | null = null;
+  #labelShown: OverlayLabel | null = null;
+  #coarse = false;
+
+  /** What the tools see of the scene; harmless before there is one. */
+  readonly toolView: ToolView = {
+    rayAt: (at) =>
+      this.#view?.screenToRay(at.x, at.y) ?? { origin: [0, 0, 1], direction: [0, 0, -1] },
+    project: (point) => this.#view?.project(point) ?? { x: 0, y: 0, visible: false },
+    pickAt: (at) => this.#view?.pick(at.x, at.y, this.#coarse ? 'coarse' : 'fine') ?? NOTHING,
+    viewDirection: () => this.#view?.viewDirection() ?? [0, 0, -1],
+  };
+
+  constructor(state: PageState, catalogue: Catalogue) {
+    this.#state = state;
+    this.#catalogue = catalogue;
+  }
+
+  /** Draws into the element until the returned function is called. */
+  mount(host: HTMLElement): () => void {
+    const canvas = document.createElement('canvas');
+    canvas.tabIndex = 0;
+    canvas.style.width = '100%';
+    canvas.style.height = '100%';
+    canvas.setAttribute('role', 'application');
+    canvas.setAttribute('aria-label', text.app.drawing);
+    canvas.setAttribute('aria-describedby', 'drawing-help');
+    const label = document.createElement('div');
+    label.className = 'scene-label';
+    label.hidden = true;
+    host.append(canvas, label);
+    this.#canvas = canvas;
+    this.#label = label;
+    // Before the view: its controls must find the navigation that fits the press.
+    const feed = new PointerFeed(host, canvas, this);
+    try {
+      this.#view = new SceneView(canvas, {
+        catalogue: this.#catalogue,
+        onFrame: () => this.#placeLabel(),
+      });
+    } catch {
+      this.webglMissing.value = true;
+    }
+    const stop = this.#follow(host);
+    return () => {
+      stop();
+      feed.dispose();
+      this.#view?.dispose();
+      this.#view = null;
+      canvas.remove();
+      label.remove();
+    };
+  }
+
+  focus(): void {
+    this.#canvas?.focus({ preventScroll: true });
+  }
+
+  /** The scene, or null before it is there or where it cannot be. */
+  get view(): SceneView | null {
+    return this.#view;
+  }
+
+  // --- Pointer -------------------------------------------------------------------------------
+
+  pressed(at: PointerInput): void {
+    this.#coarse = at.kind === 'touch';
+    const navigation = this.#state.tool.value.navigation(at);
+    this.#setNavigation(navigation);
+    this.#view?.setTurntable('off');
+    this.#state.tool.value.pointerDown(at);
+  }
+
+  moved(at: PointerInput): void {
+    this.#coarse = at.kind === 'touch';
+    const tool = this.#state.tool.value;
+    tool.pointerMove(at);
+    const part = tool.id === 'select' ? this.toolView.pickAt(at).part : null;
+    const index = tool.overlay.value.hovered === null ? (part?.index ?? null) : null;
+    this.#state.hoveredPartIndex.value = index;
+  }
+
+  released(at: PointerInput): void {
+    this.#state.tool.value.pointerUp(at);
+  }
+
+  left(): void {
+    this.#state.hoveredPartIndex.value = null;
+    this.#state.tool.value.pointerLeave();
+  }
+
+  /** Two fingers or another button: the camera's, so what the first finger began is dropped. */
+  abandoned(): void {
+    this.#state.tool.value.pointerLeave();
+  }
+
+  #setNavigation(navigation: Navigation): void {
+    this.#view?.setNavigation(navigation);
+  }
+
+  // --- State to scene ------------------------------------------------------------------------
+
+  #follow(host: HTMLElement): () => void {
+    const state = this.#state;
+    const stops = [
+      effect(() => this.#view?.setTheme(state.themeName.value as ThemeName)),
+      effect(() => this.#showSketch()),
+      effect(() => this.#showModel()),
+      effect(() => this.#view?.setMode(state.preferences.value.show)),
+      effect(() => this.#view?.colourBy(state.preferences.value.colourBy)),
+      effect(() => this.#view?.setProjection(state.preferences.value.projection)),
+      effect(() => this.#view?.explode(state.explode.value)),
+      effect(() => this.#view?.markParts(state.partMarks.value)),
+      effect(() => this.#showOverlay(host)),
+    ];
+    return () => {
+      for (const stop of stops) {
+        stop();
+      }
+    };
+  }
+
+  #showSketch(): void {
+    const { store, tool, problemPoints } = this.#state;
+    const marks: SketchMarks = {
+      selected: store.selection.value,
+      hovered: tool.value.overlay.value.hovered,
+      errorPoints: problemPoints.value,
+    };
+    this.#view?.setSketch(store.sketch.value, marks);
+  }
+
+  #showModel(): void {
+    const shown = this.#state.shown.value;
+    this.#view?.setModel(shown?.model ?? null, { dimmed: this.#state.stale.value });
+  }
+
+  #showOverlay(host: HTMLElement): void {
+    const tool = this.#state.tool.value;
+    const overlay = tool.overlay.value;
+    const drawing = tool.id !== 'select' && tool.id !== 'split' && tool.id !== 'joint';
+    host.dataset['cursor'] = drawing ? 'draw' : overlay.hovered === null ? '' : 'pick';
+    // Tools that draw show where: the plane appears with the pointer or the keyboard's cursor.
+    const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
+    this.#view?.setGuidePlane(plane, overlay.cursor);
+    this.#view?.setPreview(overlay.preview);
+    this.#setLabel(overlay.label);
+  }
+
+  #setLabel(label: OverlayLabel | null): void {
+    this.#labelShown = label;
+    const element = this.#label;
+    if (!element) {
+      return;
+    }
+    element.hidden = label === null;
+    if (label) {
+      const main = document.createElement('strong');
+      main.textContent = label.main;
+      const note = document.createElement('span');
+      note.textContent = label.note;
+      element.dataset['kind'] = label.kind;
+      element.replaceChildren(main, note);
+      this.#placeLabel();
+    }
+  }
+
+  #placeLabel(): void {
+    if (this.#labelShown && this.#label && this.#view) {
+      const at = this.#view.project(this.#labelShown.at);
+      const x = Math.round(at.x + LABEL_OFFSET);
+      const y = Math.round(at.y + LABEL_OFFSET);
+      this.#label.style.transform = `translate(${x}px, ${y}px)`;
+    }
+  }
+
+  /** Brings the place of a problem to the middle of the picture. */
+  showPlace(problem: Problem): void {
+    const part = problem.parts?.[0];
+    const at = problem.at ?? (part === undefined ? null : this.#view?.partCentre(part));
+    if (at) {
+      this.#view?.centreOn(at);
+    }
+  }
+}

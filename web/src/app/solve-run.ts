@@ -1,0 +1,216 @@
+import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import type { Model } from '../model/model.ts';
+import type { CheckReport, Report } from '../model/report.ts';
+import type { SketchDocument } from '../model/sketch.ts';
+import type { SolveResult, SolverClient } from '../solver/client.ts';
+import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
+import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
+import type { SolveState } from '../ui/page.ts';
+import { text } from '../ui/text.ts';
+import { readModel } from './read-model.ts';
+
+/** A model on screen, and what is known of it. */
+export interface ShownModel {
+  readonly source: 'search' | 'file';
+  readonly json: string;
+  readonly model: Model;
+  /** The sketch it was made for; null for a model from a file that names none. */
+  readonly sketch: SketchDocument | null;
+  /** Null while the search is under way. */
+  readonly report: Report | null;
+  readonly check: CheckReport | null;
+}
+
+const MAX_CHART_POINTS = 400;
+const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], message: '' };
+
+/** One search at a time: started, watched, cancelled; the last good model stays. */
+export class SolveRun {
+  readonly #client: SolverClient;
+  readonly #state = signal<SolveState>(IDLE);
+  readonly #shown = signal<ShownModel | null>(null);
+  #running: AbortController | null = null;
+  /** Told when a search ends with a model, so that other things may follow. */
+  readonly state: ReadonlySignal<SolveState> = this.#state;
+  readonly shown: ReadonlySignal<ShownModel | null> = this.#shown;
+
+  constructor(client: SolverClient) {
+    this.#client = client;
+  }
+
+  /** Starts a search; one under way is given up. Never rejects. */
+  async start(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
+    this.#running?.abort();
+    const run = new AbortController();
+    this.#running = run;
+    this.#state.value = { ...IDLE, phase: 'solving' };
+    const onProgress = (progress: SolveProgress, json: string | null) => {
+      if (this.#running === run) {
+        this.#progressed(sketch, progress, json);
+      }
+    };
+    try {
+      const watch = { onProgress, signal: run.signal };
+      const result = await this.#client.solve(writeSketch(sketch), settings, watch);
+      if (this.#running === run) {
+        this.#running = null;
+        await this.#ended(sketch, result);
+      }
+    } catch {
+      if (this.#running === run) {
+        this.#running = null;
+        this.#end('failed', text.solve.failed);
+      }
+    }
+  }
+
+  cancel(): void {
+    this.#running?.abort();
+  }
+
+  /**
+   * Shows a model that a file held.
+   * @param onSketch given the sketch that the file holds, before the model is shown.
+   * @returns null, or why it cannot be shown.
+   */
+  async showFile(json: string, onSketch: (sketch: SketchDocument) => void): Promise<string | null> {
+    const checked = await this.#client.check(json);
+    if (checked.outcome === 'refused') {
+      return checked.message;
+    }
+    const model = readModel(json);
+    if (!model.ok) {
+      return model.message;
+    }
+    const check = JSON.parse(checked.text) as CheckReport;
+    const report: Report = { buildable: check.buildable };
+    const sketch = sketchIn(json);
+    this.drop();
+    batch(() => {
+      this.#shown.value = { source: 'file', json, model: model.value, sketch, report, check };
+      if (sketch) {
+        onSketch(sketch);
+      }
+    });
+    return null;
+  }
+
+  /** Gives up a search under way without a word, as when the sketch is replaced. */
+  drop(): void {
+    const run = this.#running;
+    this.#running = null;
+    run?.abort();
+    this.#state.value = IDLE;
+  }
+
+  /** Takes the model from the screen. */
+  clear(): void {
+    this.drop();
+    this.#shown.value = null;
+  }
+
+  #progressed(sketch: SketchDocument, progress: SolveProgress, json: string | null): void {
+    const { chart } = this.#state.value;
+    const point = { iterations: progress.iterations, objective: progress.objective };
+    const known = Number.isFinite(progress.objective);
+    const kept = chart.length >= MAX_CHART_POINTS ? chart.filter((_, i) => i % 2 === 0) : chart;
+    batch(() => {
+      this.#state.value = {
+        phase: 'solving',
+        progress,
+        chart: known ? [...kept, point] : chart,
+        message: '',
+      };
+      const model = json === null ? null : readModel(json);
+      if (json !== null && model?.ok) {
+        this.#shown.value = {
+          source: 'search',
+          json,
+          model: model.value,
+          sketch,
+          report: null,
+          check: null,
+        };
+      }
+    });
+  }
+
+  async #ended(sketch: SketchDocument, result: SolveResult): Promise<void> {
+    switch (result.outcome) {
+      case 'refused':
+        this.#end('refused', result.message);
+        return;
+      case 'cancelled':
+        await this.#cancelled();
+        return;
+      case 'solved': {
+        const report = JSON.parse(result.reportJson) as Report;
+        const { total, byPhase } = result.seconds;
+        const seconds = report.seconds ?? {
+          stageOne: byPhase['stageOne'] ?? 0,
+          stageTwo: byPhase['stageTwo'] ?? 0,
+          total,
+        };
+        await this.#show(sketch, result.modelJson, { ...report, seconds });
+      }
+    }
+  }
+
+  async #show(sketch: SketchDocument, json: string, report: Report): Promise<void> {
+    const model = readModel(json);
+    if (!model.ok) {
+      this.#end('failed', text.solve.failed);
+      return;
+    }
+    const started = this.#state.value;
+    const check = await this.#check(json);
+    // A new search may have begun while the check ran.
+    if (this.#state.value === started) {
+      batch(() => {
+        this.#shown.value = {
+          source: 'search',
+          json,
+          model: model.value,
+          sketch,
+          report,
+          check,
+        };
+        this.#end('solved', '');
+      });
+    }
+  }
+
+  async #cancelled(): Promise<void> {
+    const shown = this.#shown.value;
+    this.#end('cancelled', shown ? text.solve.cancelled : text.solve.cancelledNone);
+    if (shown && !shown.report) {
+      const check = await this.#check(shown.json);
+      if (this.#shown.value === shown) {
+        this.#shown.value = { ...shown, report: { buildable: check?.buildable ?? false }, check };
+      }
+    }
+  }
+
+  async #check(json: string): Promise<CheckReport | null> {
+    try {
+      const checked = await this.#client.check(json);
+      return checked.outcome === 'ok' ? (JSON.parse(checked.text) as CheckReport) : null;
+    } catch {
+      return null;
+    }
+  }
+
+  #end(phase: SolveState['phase'], message: string): void {
+    this.#state.value = { ...this.#state.value, phase, message };
+  }
+}
+
+/** The sketch that a model file was made for, or null. */
+function sketchIn(json: string): SketchDocument | null {
+  const value: unknown = JSON.parse(json);
+  if (typeof value !== 'object' || value === null || !('sketch' in value)) {
+    return null;
+  }
+  const sketch = readSketchValue(value.sketch);
+  return sketch.ok ? sketch.value : null;
+}

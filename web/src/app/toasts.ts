@@ -1,0 +1,37 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import type { Toast } from '../ui/page.ts';
+
+const INFO_MS = 4000;
+const MAX_SHOWN = 4;
+
+/** The short messages on screen. */
+export class Toaster {
+  readonly #toasts = signal<readonly Toast[]>([]);
+  readonly toasts: ReadonlySignal<readonly Toast[]> = this.#toasts;
+  #lastId = 0;
+
+  info(message: string): void {
+    const id = this.#add('info', message);
+    setTimeout(() => this.dismiss(id), INFO_MS);
+  }
+
+  /** Stays until it is closed, or until the next file is opened. */
+  error(message: string): void {
+    this.#add('error', message);
+  }
+
+  dismiss(id: number): void {
+    this.#toasts.value = this.#toasts.value.filter((toast) => toast.id !== id);
+  }
+
+  clearErrors(): void {
+    this.#toasts.value = this.#toasts.value.filter((toast) => toast.kind !== 'error');
+  }
+
+  #add(kind: Toast['kind'], message: string): number {
+    this.#lastId += 1;
+    const others = this.#toasts.value.filter((toast) => toast.message !== message);
+    this.#toasts.value = [...others, { id: this.#lastId, kind, message }].slice(-MAX_SHOWN);
+    return this.#lastId;
+  }
+}
