@@ -12,7 +12,7 @@ export interface BrickColour {
 }
 
 export const BRICK_COLOURS: readonly BrickColour[] = [
-  { code: 0, name: 'Black', hex: 0x1b2a34 },
+  { code: 0, name: 'Black', hex: 0x1d1f22 },
   { code: 1, name: 'Blue', hex: 0x1e5aa8 },
   { code: 2, name: 'Green', hex: 0x00852b },
   { code: 4, name: 'Red', hex: 0xb40000 },

@@ -1,5 +1,5 @@
 import { Group } from 'three';
-import { type Bounds, modelBounds, modelCorners } from '../model/bounds.ts';
+import { type Bounds, boundsOfPoints, modelBounds, modelCorners } from '../model/bounds.ts';
 import { colourHex, groupHex, mixHex } from '../model/colours.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
 import { add, ORIGIN, scale, subtract, type Vec3 } from '../model/vec.ts';
@@ -44,9 +44,9 @@ export class ModelLayer {
     return this.#model;
   }
 
-  /** Box around the model as placed, not exploded; null without parts. */
+  /** Box around the parts as drawn, exploded or not; null without parts. */
   get bounds(): Bounds | null {
-    return this.#bounds;
+    return this.#explode > 0 ? boundsOfPoints(this.corners()) : this.#bounds;
   }
 
   /** Corners of the parts' boxes as drawn, exploded or not. */

@@ -1,4 +1,4 @@
-import { Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { Plane, Vector3 } from 'three';
 import { type Bounds, corners, sketchBounds, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
@@ -8,6 +8,7 @@ import { BrickMaterials } from './bricks/brick-materials.ts';
 import { chooseDetail } from './level-of-detail.ts';
 import { ModelLayer, type PartMarks } from './model-layer.ts';
 import { CameraRig } from './scene/camera-rig.ts';
+import { ScreenSpace } from './scene/screen-space.ts';
 import { Stage } from './scene/stage.ts';
 import { viewTheme } from './scene/theme.ts';
 import { GuidePlaneLayer } from './sketch/guide-plane-layer.ts';
@@ -55,7 +56,7 @@ export class SceneView {
   readonly #guide = new GuidePlaneLayer();
   readonly #preview = new PreviewLayer();
   readonly #resize: ResizeObserver;
-  readonly #raycaster = new Raycaster();
+  readonly #screen: ScreenSpace;
   #marks: SketchMarks = {};
   #previewLine: LinePreview | null = null;
   #mode: ViewMode = 'both';
@@ -75,6 +76,7 @@ export class SceneView {
       reducedMotion: options.reducedMotion ?? prefersReducedMotion(),
       onChange: () => this.invalidate(),
     });
+    this.#screen = new ScreenSpace(canvas, () => this.#rig.camera);
     this.#resize = new ResizeObserver(() => this.#fitCanvas());
     this.#resize.observe(canvas);
     canvas.addEventListener('webglcontextlost', this.#onContextLost);
@@ -141,7 +143,7 @@ export class SceneView {
   /** Moves parts apart. @param amount 0 (as built) to 1. */
   explode(amount: number): void {
     this.#model.setExplode(amount);
-    this.#stage.shadowChanged();
+    this.#reframe();
     this.invalidate();
   }
 
@@ -184,6 +186,11 @@ export class SceneView {
     this.#rig.look(view);
   }
 
+  /** Brings a place to the middle of the picture without turning. */
+  centreOn(point: Vec3): void {
+    this.#rig.centreOn(point);
+  }
+
   setProjection(projection: Projection): void {
     this.#rig.setProjection(projection);
     this.invalidate();
@@ -212,29 +219,12 @@ export class SceneView {
 
   /** The ray through a place on screen. */
   screenToRay(x: number, y: number): Ray {
-    const camera = this.#rig.camera;
-    camera.updateMatrixWorld();
-    const { width, height } = this.#size();
-    const place = new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2);
-    this.#raycaster.setFromCamera(place, camera);
-    const { origin, direction } = this.#raycaster.ray;
-    return {
-      origin: [origin.x, origin.y, origin.z],
-      direction: [direction.x, direction.y, direction.z],
-    };
+    return this.#screen.toRay(x, y);
   }
 
   /** Where a point of space is on screen. */
   project(point: Vec3): Projected {
-    const camera = this.#rig.camera;
-    camera.updateMatrixWorld();
-    const { width, height } = this.#size();
-    const place = new Vector3(...point).project(camera);
-    return {
-      x: ((place.x + 1) / 2) * width,
-      y: ((1 - place.y) / 2) * height,
-      visible: place.z < 1 && place.z > -1,
-    };
+    return this.#screen.project(point);
   }
 
   /** What lies under a place on screen. @param pointer `coarse` for a finger: reaches further. */
@@ -275,7 +265,7 @@ export class SceneView {
   /** The present view as a picture. @throws Error when the browser cannot make one. */
   renderToPng(width: number, height: number): Promise<Blob> {
     const { renderer } = this.#stage;
-    const before = { ...this.#size(), ratio: renderer.getPixelRatio() };
+    const before = { ...this.#screen.size(), ratio: renderer.getPixelRatio() };
     renderer.setPixelRatio(1);
     this.#applySize(width, height);
     this.#draw();
@@ -317,7 +307,7 @@ export class SceneView {
   };
 
   #draw(): void {
-    const { height } = this.#size();
+    const { height } = this.#screen.size();
     const pixelsPerModule = height / this.#rig.viewHeight();
     const choice = chooseDetail(this.#model.partCount, pixelsPerModule);
     if (this.#model.setDetail(choice.detail)) {
@@ -327,17 +317,10 @@ export class SceneView {
     this.#stage.renderer.render(this.#stage.scene, this.#rig.camera);
   }
 
-  #size(): { width: number; height: number } {
-    return {
-      width: Math.max(1, this.#canvas.clientWidth),
-      height: Math.max(1, this.#canvas.clientHeight),
-    };
-  }
-
   #fitCanvas(): void {
     const limit = this.#options.pixelRatioLimit ?? 2;
     this.#stage.renderer.setPixelRatio(Math.min(globalThis.devicePixelRatio || 1, limit));
-    const { width, height } = this.#size();
+    const { width, height } = this.#screen.size();
     this.#applySize(width, height);
     this.invalidate();
   }
@@ -366,7 +349,8 @@ export class SceneView {
   #reframe(): void {
     const sketch = this.#sketch.sketch;
     const box = unionBounds(this.#model.bounds, sketch ? sketchBounds(sketch) : null);
-    this.#stage.frame(box, sketch?.ground ?? box?.min[2] ?? 0);
+    const floor = Math.min(sketch?.ground ?? Infinity, box?.min[2] ?? Infinity);
+    this.#stage.frame(box, Number.isFinite(floor) ? floor : 0);
   }
 
   #shownPoints(): Vec3[] {

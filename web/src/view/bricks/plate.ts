@@ -26,6 +26,9 @@ export interface PlateStyle {
   readonly silhouettes: boolean;
 }
 
+/** Rims are drawn a little outside the rounding, where a round edge would have its crest. */
+const LINE_INSET = 0.29;
+
 /** Adds walls, rounded rims, both faces and the drawn lines of a plate; openings stay without walls. */
 export function addPlate(
   builder: MeshBuilder,
@@ -38,6 +41,8 @@ export function addPlate(
     style.rounding > 0
       ? outlineBars(shape.graph, shape.radius - style.rounding, style.segments)
       : outer;
+  const lineRadius = shape.radius - LINE_INSET * style.rounding;
+  const lines = outlineBars(shape.graph, lineRadius, style.segments);
   const wallTop = shape.halfHeight - style.rounding;
   outer.forEach((outline, i) => {
     addWall(builder, frame, { outline, height: wallTop }, style.silhouettes);
@@ -46,7 +51,10 @@ export function addPlate(
       if (style.rounding > 0) {
         addRounding(builder, frame, { outline, rim }, [side * wallTop, side * shape.halfHeight]);
       }
-      builder.hardPolyline(ring(frame, rim, side * shape.halfHeight));
+      const line = lines[i] ?? rim;
+      builder.hardPolyline(
+        ring(frame, line, side * (shape.halfHeight - LINE_INSET * style.rounding)),
+      );
     }
   });
   for (const side of [1, -1] as const) {

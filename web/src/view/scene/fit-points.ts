@@ -2,7 +2,7 @@ import { Vector3 } from 'three';
 import type { Vec3 } from '../../model/vec.ts';
 
 /** Vertical opening of the perspective camera, degrees. */
-export const FIELD_OF_VIEW = 32;
+export const FIELD_OF_VIEW = 26;
 
 /** Space left round what is fitted, as a factor. */
 const MARGIN = 1.14;

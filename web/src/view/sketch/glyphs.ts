@@ -127,7 +127,7 @@ export class SketchGlyphs {
     );
     const side = size + 2 * SYMMETRY_MARGIN;
     const geometry = this.#own(new PlaneGeometry(side, side));
-    const pane = new Mesh(geometry, this.#own(glass(colour, 0.1)));
+    const pane = new Mesh(geometry, this.#own(glass(colour, 0.06)));
     const frame = new LineSegments(
       this.#own(new EdgesGeometry(geometry)),
       this.#own(new LineBasicMaterial({ color: colour })),

@@ -7,7 +7,7 @@ import { SketchGlyphs } from './glyphs.ts';
 import { type Segment, ThickLines } from './thick-lines.ts';
 
 /** Widths and diameters on screen, CSS pixels. */
-const SIZE = { line: 3, strong: 5, node: 5, end: 9, junction: 11, mark: 17 } as const;
+const SIZE = { line: 2.5, strong: 4.5, node: 6.5, end: 9, junction: 11, mark: 18 } as const;
 
 /** The sketch: lines, nodes, joints, boxes and symmetry planes. */
 export class SketchLayer {

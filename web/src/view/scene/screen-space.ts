@@ -1,0 +1,56 @@
+import {
+  type OrthographicCamera,
+  type PerspectiveCamera,
+  Raycaster,
+  Vector2,
+  Vector3,
+} from 'three';
+import type { Vec3 } from '../../model/vec.ts';
+import type { Projected, Ray } from '../view-types.ts';
+
+/** Goes between places on a canvas (CSS pixels from its top left corner) and points of space. */
+export class ScreenSpace {
+  readonly #canvas: HTMLCanvasElement;
+  readonly #camera: () => PerspectiveCamera | OrthographicCamera;
+  readonly #raycaster = new Raycaster();
+
+  constructor(canvas: HTMLCanvasElement, camera: () => PerspectiveCamera | OrthographicCamera) {
+    this.#canvas = canvas;
+    this.#camera = camera;
+  }
+
+  /** Size of the canvas, at least one pixel. */
+  size(): { width: number; height: number } {
+    return {
+      width: Math.max(1, this.#canvas.clientWidth),
+      height: Math.max(1, this.#canvas.clientHeight),
+    };
+  }
+
+  /** The ray through a place on screen. */
+  toRay(x: number, y: number): Ray {
+    const camera = this.#camera();
+    camera.updateMatrixWorld();
+    const { width, height } = this.size();
+    const place = new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2);
+    this.#raycaster.setFromCamera(place, camera);
+    const { origin, direction } = this.#raycaster.ray;
+    return {
+      origin: [origin.x, origin.y, origin.z],
+      direction: [direction.x, direction.y, direction.z],
+    };
+  }
+
+  /** Where a point of space is on screen. */
+  project(point: Vec3): Projected {
+    const camera = this.#camera();
+    camera.updateMatrixWorld();
+    const { width, height } = this.size();
+    const place = new Vector3(...point).project(camera);
+    return {
+      x: ((place.x + 1) / 2) * width,
+      y: ((1 - place.y) / 2) * height,
+      visible: place.z < 1 && place.z > -1,
+    };
+  }
+}
