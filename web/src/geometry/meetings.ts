@@ -50,7 +50,7 @@ interface Place {
 /** Finds a place again within SAME_POINT: cells are wider, and the neighbours at a border are asked. */
 class Places {
   readonly list: Place[] = [];
-  readonly #cells = new Map<string, Place[]>();
+  readonly #cells = new Map<number, Place[]>();
 
   at(point: Vec3): Place {
     const near = this.#keysAround(point).flatMap((key) => this.#cells.get(key) ?? []);
@@ -70,7 +70,7 @@ class Places {
     return place;
   }
 
-  #keysAround(point: Vec3): string[] {
+  #keysAround(point: Vec3): number[] {
     const [xs = [], ys = [], zs = []] = point.map((value) => {
       const low = cellOf(value - SAME_POINT);
       const high = cellOf(value + SAME_POINT);
@@ -85,8 +85,11 @@ function cellOf(value: number): number {
   return Math.floor(value * 8 + 0.4);
 }
 
-function keyOf(cell: readonly number[]): string {
-  return cell.join();
+/** One whole number for a cell: coordinates are within 2000 modules (DESIGN 3), so nothing overlaps. */
+function keyOf([x = 0, y = 0, z = 0]: readonly number[]): number {
+  const side = 2 ** 16;
+  const half = side / 2;
+  return ((x + half) * side + (y + half)) * side + (z + half);
 }
 
 function sharedNodes(lines: readonly Segment[]): Meeting[] {
@@ -123,7 +126,7 @@ function sineSquared(a: Segment, b: Segment): number {
 
 /** Pairs of lines that pass through a common cell of 4 modules, each once, ascending. */
 function pairsNearby(lines: readonly Segment[]): [number, number][] {
-  const cells = new Map<string, Set<number>>();
+  const cells = new Map<number, Set<number>>();
   lines.forEach((line, index) => {
     for (const key of cellsAlong(line)) {
       const cell = cells.get(key);
@@ -149,8 +152,8 @@ function pairsNearby(lines: readonly Segment[]): [number, number][] {
 const CELL = 4;
 
 /** The cells that a line touches: those around the module-wide box about each node. */
-function cellsAlong(line: Segment): Set<string> {
-  const keys = new Set<string>();
+function cellsAlong(line: Segment): Set<number> {
+  const keys = new Set<number>();
   const count = nodeCount(line);
   for (let i = 0; i < count; i++) {
     const at = between(line, i / (count - 1));
