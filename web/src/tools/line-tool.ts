@@ -20,7 +20,11 @@ export class LineTool extends PointTool {
     const { view } = this.context;
     const from = this.points.at(-1);
     return from
-      ? locateEnd(view, at, plane, { from, lock: this.lock })
+      ? locateEnd(view, at, plane, {
+          from,
+          lock: this.lock,
+          lines: this.context.store.sketch.value.lines,
+        })
       : locateFree(view, at, plane);
   }
 

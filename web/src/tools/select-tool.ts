@@ -3,7 +3,7 @@ import type { SketchDocument } from '../model/sketch.ts';
 import { add, scale, subtract, unitVector, type Vec3 } from '../model/vec.ts';
 import { mapLines, shift } from '../state/edits.ts';
 import type { GuidePlane, Navigation, ScreenPoint } from '../view/view-types.ts';
-import { meetPlane, planeAxes, planeAxis } from './guide.ts';
+import { meetGuide, planeAxes, planeAxis } from './guide.ts';
 import {
   EMPTY_OVERLAY,
   type KeyInput,
@@ -167,7 +167,7 @@ export class SelectTool implements Tool {
 
   #dragTo(gesture: Extract<Gesture, { kind: 'move' }>, at: PointerInput): void {
     const { store, view, words } = this.#context;
-    const hit = meetPlane(view.rayAt(at), gesture.plane);
+    const hit = meetGuide(view.rayAt(at), gesture.plane);
     if (!hit) {
       return;
     }

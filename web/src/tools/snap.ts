@@ -1,9 +1,11 @@
+import { nearestAlongAxis } from '../geometry/plane.ts';
+import { type SnapReason, snapEnd } from '../geometry/snap-end.ts';
+import type { SketchLine } from '../model/sketch.ts';
 import {
   AXIS_NAMES,
   type AxisName,
   add,
   distance,
-  dot,
   lerp,
   scale,
   subtract,
@@ -11,7 +13,7 @@ import {
   type Vec3,
 } from '../model/vec.ts';
 import type { GuidePlane, ScreenPoint, SnapKind } from '../view/view-types.ts';
-import { meetPlane, planeAxes, roundOnPlane } from './guide.ts';
+import { meetGuide } from './guide.ts';
 import type { ToolView } from './tool.ts';
 
 /** A place for the next point, and why it is there. */
@@ -22,15 +24,24 @@ export interface Located {
   readonly axis: AxisName | null;
 }
 
-/** A point that is near an existing node is drawn to it within so many pixels. */
+/** A point is drawn to an existing node, wherever it is in depth, within so many pixels. */
 const NODE_PIXELS = 12;
 /** The axis that leaves the plane wins only when the pointer is right on it. */
 const OFF_PLANE_PIXELS = 7;
-/** An end that lies on an axis is nearer by this factor than one that does not. */
-const AXIS_PULL = 0.55;
-/** How far from the pointer a Pythagorean or 60-degree end may lie, in modules. */
-const SKEW_REACH = 0.75;
+/** How far from the pointer an end off the axes may be: pixels, but within these modules. */
+const REACH = { pixels: 16, least: 0.45, most: 1.2 } as const;
 const LENGTH_TOLERANCE = 0.02;
+
+/** The view's word for the geometry's. */
+const KINDS: Readonly<Record<SnapReason, SnapKind>> = {
+  endpoint: 'end',
+  node: 'node',
+  axis: 'axis',
+  plane: 'grid',
+  parallel: 'in-line',
+  pythagorean: 'pythagorean',
+  sixty: 'sixty',
+};
 
 /** Whether a line between the points has whole length and lies in a plane that can be built. */
 export function isLegalLine(from: Vec3, to: Vec3): boolean {
@@ -53,8 +64,19 @@ export function locateFree(view: ToolView, at: ScreenPoint, plane: GuidePlane): 
   if (node && node.distance <= NODE_PIXELS) {
     return { point: node.at, snap: node.kind === 'inner' ? 'node' : 'end', axis: null };
   }
-  const hit = meetPlane(view.rayAt(at), plane);
-  return hit ? { point: roundOnPlane(hit, plane), snap: 'grid', axis: null } : null;
+  const cursor = meetGuide(view.rayAt(at), plane);
+  if (!cursor) {
+    return null;
+  }
+  const { point } = snapEnd({
+    start: null,
+    plane: { normal: plane.axis, through: plane.through },
+    lines: [],
+    lockAxis: null,
+    cursor,
+    tolerance: REACH.least,
+  });
+  return { point, snap: 'grid', axis: null };
 }
 
 /** A place for a corner opposite to `start` on the plane: whole steps from it. */
@@ -64,7 +86,7 @@ export function locateCorner(
   plane: GuidePlane,
   start: Vec3,
 ): Located | null {
-  const hit = meetPlane(view.rayAt(at), plane);
+  const hit = meetGuide(view.rayAt(at), plane);
   return hit ? { point: wholeSteps(start, hit), snap: 'grid', axis: null } : null;
 }
 
@@ -75,7 +97,7 @@ export function locateAlong(
   start: Vec3,
   axis: AxisName,
 ): Located | null {
-  const steps = Math.round(axisParameter(view, at, start, axis));
+  const steps = Math.round(nearestAlongAxis(view.rayAt(at), start, axis) ?? 0);
   return steps === 0
     ? null
     : { point: add(start, scale(unitVector(axis), steps)), snap: 'axis', axis };
@@ -85,11 +107,14 @@ export function locateAlong(
 export interface LineStart {
   readonly from: Vec3;
   readonly lock: AxisName | null;
+  /** The lines drawn so far. */
+  readonly lines: readonly SketchLine[];
 }
 
 /**
  * A place for the end of a line from `start`: always of whole length, in a plane parallel to XY, YZ
- * or ZX. Nodes win over axes, axes over Pythagorean and 60-degree ends.
+ * or ZX. A node under the pointer wins at any depth; then the axis that leaves the plane, when the
+ * pointer is right on it; then what lies on the plane.
  */
 export function locateEnd(
   view: ToolView,
@@ -97,7 +122,7 @@ export function locateEnd(
   plane: GuidePlane,
   start: LineStart,
 ): Located | null {
-  const { from, lock } = start;
+  const { from, lock, lines } = start;
   if (lock) {
     return locateAlong(view, at, from, lock);
   }
@@ -110,66 +135,25 @@ export function locateEnd(
   if (offPlane && pixelsOffAxis(view, at, from, plane.axis) <= OFF_PLANE_PIXELS) {
     return offPlane;
   }
-  const hit = meetPlane(view.rayAt(at), { ...plane, through: from });
-  return hit ? nearestWholeEnd(from, hit, plane) : offPlane;
+  const cursor = meetGuide(view.rayAt(at), { ...plane, through: from });
+  if (!cursor) {
+    return offPlane;
+  }
+  const snap = snapEnd({
+    start: from,
+    plane: { normal: plane.axis, through: from },
+    lines,
+    lockAxis: null,
+    cursor,
+    tolerance: reachAt(view, cursor),
+  });
+  return { point: snap.point, snap: KINDS[snap.reason], axis: axisOf(from, snap.point) };
 }
 
-/** The end of whole length on the plane nearest to `raw`, axes preferred. Null at the start itself. */
-export function nearestWholeEnd(from: Vec3, raw: Vec3, plane: GuidePlane): Located | null {
-  let best: Located | null = null;
-  let bestCost = Infinity;
-  const offer = (point: Vec3, snap: SnapKind, cost: number) => {
-    if (cost < bestCost) {
-      bestCost = cost;
-      best = { point, snap, axis: axisOf(from, point) };
-    }
-  };
-  for (const axis of planeAxes(plane.axis)) {
-    const unit = unitVector(axis);
-    const steps = Math.round(dot(subtract(raw, from), unit));
-    if (steps !== 0) {
-      const end = add(from, scale(unit, steps));
-      offer(end, 'axis', distance(end, raw) * AXIS_PULL);
-    }
-  }
-  for (const end of skewEnds(from, raw, plane)) {
-    const gap = distance(end.point, raw);
-    if (gap <= SKEW_REACH) {
-      offer(end.point, end.snap, gap);
-    }
-  }
-  return best;
-}
-
-function skewEnds(from: Vec3, raw: Vec3, plane: GuidePlane): { point: Vec3; snap: SnapKind }[] {
-  const [first, second] = planeAxes(plane.axis);
-  const u = unitVector(first);
-  const v = unitVector(second);
-  const d = subtract(raw, from);
-  const at = (a: number, b: number) => add(from, add(scale(u, a), scale(v, b)));
-  const ends: { point: Vec3; snap: SnapKind }[] = [];
-  const a0 = Math.round(dot(d, u));
-  const b0 = Math.round(dot(d, v));
-  for (let a = a0 - 1; a <= a0 + 1; a++) {
-    for (let b = b0 - 1; b <= b0 + 1; b++) {
-      if (a !== 0 && b !== 0 && Number.isInteger(Math.hypot(a, b))) {
-        ends.push({ point: at(a, b), snap: 'pythagorean' });
-      }
-    }
-  }
-  const length = Math.round(Math.hypot(dot(d, u), dot(d, v)));
-  const half = length / 2;
-  const long = (length * Math.sqrt(3)) / 2;
-  for (const [a, b] of [
-    [half, long],
-    [long, half],
-  ] as const) {
-    const point = at(a * Math.sign(dot(d, u)), b * Math.sign(dot(d, v)));
-    if (length >= 1) {
-      ends.push({ point, snap: 'sixty' });
-    }
-  }
-  return ends;
+/** The end that a typed length gives: as far along the present direction. */
+export function endAtLength(from: Vec3, toward: Vec3, length: number): Vec3 {
+  const now = distance(from, toward);
+  return now === 0 ? from : lerp(from, toward, length / now);
 }
 
 function wholeSteps(start: Vec3, p: Vec3): Vec3 {
@@ -177,27 +161,22 @@ function wholeSteps(start: Vec3, p: Vec3): Vec3 {
   return [step(0), step(1), step(2)];
 }
 
-/** Modules from `start` along the axis to the point that is nearest to the pointer's ray. */
-function axisParameter(view: ToolView, at: ScreenPoint, start: Vec3, axis: AxisName): number {
-  const ray = view.rayAt(at);
-  const u = unitVector(axis);
-  const w = subtract(start, ray.origin);
-  const b = dot(u, ray.direction);
-  const slope = 1 - b * b;
-  if (slope < 1e-4) {
-    return 0;
-  }
-  return (b * dot(w, ray.direction) - dot(w, u)) / slope;
-}
-
 function pixelsOffAxis(view: ToolView, at: ScreenPoint, start: Vec3, axis: AxisName): number {
-  const nearest = add(start, scale(unitVector(axis), axisParameter(view, at, start, axis)));
-  const shown = view.project(nearest);
+  const steps = nearestAlongAxis(view.rayAt(at), start, axis);
+  if (steps === null) {
+    return Infinity;
+  }
+  const shown = view.project(add(start, scale(unitVector(axis), steps)));
   return shown.visible ? Math.hypot(shown.x - at.x, shown.y - at.y) : Infinity;
 }
 
-/** The end that a typed length gives: as far along the present direction. */
-export function endAtLength(from: Vec3, toward: Vec3, length: number): Vec3 {
-  const now = distance(from, toward);
-  return now === 0 ? from : lerp(from, toward, length / now);
+/** Modules that some pixels are at a place. */
+function reachAt(view: ToolView, place: Vec3): number {
+  const here = view.project(place);
+  const pixels = AXIS_NAMES.map((axis) => {
+    const there = view.project(add(place, unitVector(axis)));
+    return Math.hypot(there.x - here.x, there.y - here.y);
+  });
+  const modules = REACH.pixels / Math.max(1, ...pixels);
+  return Math.min(REACH.most, Math.max(REACH.least, modules));
 }

@@ -32,7 +32,9 @@ export function ResultSection() {
 
 function Verdict({ result, stale }: { readonly result: ResultState; readonly stale: boolean }) {
   const failed = result.items.filter((item) => !item.ok);
-  const why = failed.map((item) => item.title).join(', ');
+  const why = fillWords(text.result.failedChecks, {
+    list: failed.map((item) => item.title.toLowerCase()).join('; '),
+  });
   const note = stale
     ? text.solve.stale
     : result.source === 'file'

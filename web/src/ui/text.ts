@@ -115,7 +115,7 @@ const EN = {
     keepOut: 'Keep-out box',
   },
   hints: {
-    select: 'Click a line to select it. Drag to move the selection, or to select by a box.',
+    select: 'Click a line to select it. Shift and drag to select by a box.',
     line: 'Click a point to begin a line.',
     lineNext:
       'Click the next point, or type a length. X, Y, Z lock an axis, Tab turns the plane, Esc ends.',
@@ -140,7 +140,7 @@ const EN = {
     end: 'end point',
     node: 'node on a line',
     axis: 'along {axis}',
-    'in-line': 'in line with',
+    'in-line': 'parallel',
     plane: 'on the plane',
     pythagorean: 'Pythagorean',
     sixty: '60°',
@@ -209,6 +209,7 @@ const EN = {
   result: {
     buildable: 'Buildable',
     buildableText: 'Every check passed.',
+    failedChecks: 'Not met: {list}',
     notBuildable: 'Not buildable yet',
     noModel: 'No model yet',
     noModelText: 'Draw lines and press Generate.',

@@ -1,0 +1,67 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import type { SketchDocument } from '../../../web/src/model/sketch.ts';
+import { decodeShare, encodeShare, MAX_FRAGMENT } from '../../../web/src/share/codec.ts';
+
+const SKETCH: SketchDocument = {
+  format: 'technic-sketch',
+  version: 1,
+  name: 'Wippe “ä” 🙂',
+  lines: [
+    { from: [0, 0, 0], to: [6, 0, 0] },
+    { from: [3, 0, 0], to: [3, 0, 5], exact: true, holeAxis: 'y' },
+    { from: [0, 0, 0], to: [2, 3.464102, 0], holeAxis: 'z' },
+  ],
+  joints: [{ at: [3, 0, 0], axis: [0, 1, 0], between: [[0], [1]] }],
+  keepOut: [{ min: [0, 0, 1], max: [2, 2, 2] }],
+  symmetries: [{ kind: 'reflection', normal: [1, 0, 0], offset: 3 }],
+  ground: -1,
+};
+const STATE = { sketch: SKETCH, preset: 'faithful', seed: 7 };
+
+async function fragment(): Promise<string> {
+  const encoded = await encodeShare(STATE);
+  return encoded.ok ? encoded.value : '';
+}
+
+describe('share link', () => {
+  it('comes back as it was', async () => {
+    expect(await decodeShare(await fragment())).toEqual({ ok: true, value: STATE });
+  });
+
+  it('reads the links of version 1 for ever', async () => {
+    const path = new URL('./fixtures/v1-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE });
+  });
+
+  it('leaves a fragment alone that is not its own', async () => {
+    expect(await decodeShare('')).toBeNull();
+    expect(await decodeShare('chapter-2')).toBeNull();
+  });
+
+  it('says that a newer page made the link', async () => {
+    const read = await decodeShare((await fragment()).replace(/^s1/, 's9'));
+    expect(read?.ok === false && read.message).toContain('newer version');
+  });
+
+  it.each([
+    ['cut off', (text: string) => text.slice(0, -9)],
+    ['changed', (text: string) => text.replace(/.(.{12})$/, '_$1')],
+    ['without its sum', (text: string) => text.replace(/\.[^.]*$/, '')],
+    ['of garbage', () => 's1.!!!!.0'],
+    ['of nothing', () => 's1..'],
+    ['too long', () => `s1.${'A'.repeat(MAX_FRAGMENT)}.0`],
+  ])('refuses a link that is %s', async (_name, damage) => {
+    const read = await decodeShare(damage(await fragment()));
+    expect(read?.ok).toBe(false);
+  });
+
+  it('refuses a sketch that no link can hold', async () => {
+    const lines = Array.from({ length: 6000 }, (_, i) => ({
+      from: [0, i % 100, i] as const,
+      to: [3, i % 100, i] as const,
+    }));
+    expect((await encodeShare({ ...STATE, sketch: { ...SKETCH, lines } })).ok).toBe(false);
+  });
+});
