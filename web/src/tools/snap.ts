@@ -30,7 +30,8 @@ const NODE_PIXELS = 12;
 const OFF_PLANE_PIXELS = 7;
 /** How far from the pointer an end off the axes may be: pixels, but within these modules. */
 const REACH = { pixels: 16, least: 0.45, most: 1.2 } as const;
-const LENGTH_TOLERANCE = 0.02;
+/** As in the geometry: lines as long as this close to a whole number are whole. */
+const LENGTH_TOLERANCE = 1e-3;
 
 /** The view's word for the geometry's. */
 const KINDS: Readonly<Record<SnapReason, SnapKind>> = {

@@ -1,0 +1,109 @@
+import { describe, expect, it } from 'vitest';
+import { SolveRun } from '../../../web/src/app/solve-run.ts';
+import type { SketchDocument } from '../../../web/src/model/sketch.ts';
+import type { SolveProgress } from '../../../web/src/solver/protocol.ts';
+import { silentClient } from '../helpers/silent-client.ts';
+
+const SKETCH: SketchDocument = {
+  format: 'technic-sketch',
+  version: 1,
+  lines: [{ from: [0, 0, 0], to: [4, 0, 0] }],
+};
+const MODEL = JSON.stringify({
+  format: 'liftarm-model',
+  version: 1,
+  name: '',
+  parts: [{ part: '32316', position: [2, 0, 0], rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1] }],
+});
+const PROGRESS: SolveProgress = {
+  done: false,
+  phase: 'stageTwo',
+  iterations: 10,
+  fraction: 0.5,
+  objective: 2,
+  temperature: 1,
+  beams: 1,
+  gaps: 0,
+  collisions: 0,
+  failedConnections: 0,
+  improvements: 1,
+};
+const SECONDS = { total: 0.5, byPhase: {} };
+
+function begin() {
+  const client = silentClient();
+  const run = new SolveRun(client);
+  return { client, run };
+}
+
+describe('solve run', () => {
+  it('shows the model as it improves, then the checked one', async () => {
+    const { client, run } = begin();
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.watch.onProgress?.(PROGRESS, MODEL);
+    expect(run.shown.value?.report).toBeNull();
+    client.solves[0]?.settle({
+      outcome: 'solved',
+      modelJson: MODEL,
+      reportJson: '{"buildable":true,"beams":1}',
+      seconds: SECONDS,
+    });
+    await done;
+    expect(run.state.value.phase).toBe('solved');
+    expect(run.shown.value).toMatchObject({ report: { beams: 1 }, check: { buildable: true } });
+  });
+
+  it('keeps the last model when it is cancelled', async () => {
+    const { client, run } = begin();
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.watch.onProgress?.(PROGRESS, MODEL);
+    run.cancel();
+    await done;
+    expect(run.state.value.phase).toBe('cancelled');
+    expect(run.shown.value?.report).toEqual({ buildable: true });
+  });
+
+  it('says what the core refused', async () => {
+    const { client, run } = begin();
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.settle({ outcome: 'refused', message: 'lines[0]: no' });
+    await done;
+    expect(run.state.value).toMatchObject({ phase: 'refused', message: 'lines[0]: no' });
+  });
+
+  it('survives a crash of the worker', async () => {
+    const { client, run } = begin();
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.fail(new Error('out of memory'));
+    await done;
+    expect(run.state.value.phase).toBe('failed');
+  });
+
+  it('hears nothing more from a search that was replaced', async () => {
+    const { client, run } = begin();
+    const first = run.start(SKETCH, {});
+    const second = run.start(SKETCH, {});
+    client.solves[0]?.watch.onProgress?.(PROGRESS, MODEL);
+    expect(run.shown.value).toBeNull();
+    await first;
+    expect(run.state.value.phase).toBe('solving');
+    run.cancel();
+    await second;
+    expect(run.state.value.phase).toBe('cancelled');
+  });
+
+  it('takes the sketch from a model file', async () => {
+    const { run } = begin();
+    const sketches: SketchDocument[] = [];
+    const file = JSON.stringify({ ...JSON.parse(MODEL), sketch: SKETCH });
+    expect(await run.showFile(file, (sketch) => sketches.push(sketch))).toBeNull();
+    expect(sketches).toEqual([SKETCH]);
+  });
+
+  it('refuses a model whose parts cannot be placed', async () => {
+    const { run } = begin();
+    const file = MODEL.replace('[2,0,0]', '[2,0]');
+    expect(await run.showFile(file, () => undefined)).toContain('parts[0]');
+    expect(run.shown.value).toBeNull();
+  });
+});
