@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/settings.h"
+
 namespace liftarm::wasm {
 
 using base::Status;
@@ -32,6 +34,7 @@ std::string contractJson() {
   }
   nlohmann::ordered_json contract;
   contract["statuses"] = statuses;
+  contract["settings"] = nlohmann::ordered_json::parse(design::settingsJson(design::Settings{}));
   return contract.dump();
 }
 
