@@ -19,13 +19,31 @@ struct PlacedPart {
   int piece = 0;       //!< connected part of the sketch
 };
 
-//! \brief A male slot in a female slot: both coaxial, slot middles at the same point.
+//! \brief How a male and a female slot that share their place go together.
+enum class Fit {
+  kTurn,       //!< pin in pin hole: held, turns
+  kSlide,      //!< axle in pin hole: turns and slides, holds nothing along its axis
+  kRigid,      //!< axle in axle hole
+  kTwisted,    //!< axle in axle hole with its cross turned: does not go in
+  kWrongKind,  //!< pin in axle hole: never goes in
+  kMisplaced   //!< coaxial, but not slot in slot
+};
+
+constexpr bool isGood(Fit fit) {
+  return fit == Fit::kTurn || fit == Fit::kSlide || fit == Fit::kRigid;
+}
+
+//! \brief A male slot in a female slot: both coaxial, slot middles at the same point (half-module
+//! holes: inside the male slot).
 struct Connection {
   int male = -1;  //!< index of the part with the head
   int maleFeature = -1;
+  int maleSlot = -1;
   int female = -1;  //!< index of the part with the hole
   int femaleFeature = -1;
-  lattice::Vec3 at;  //!< middle of the slot, world
+  int femaleSlot = -1;
+  Fit fit = Fit::kTurn;
+  lattice::Vec3 at;  //!< middle of the female slot, world
 };
 
 //! \brief The result: placed parts, and the text of the sketch they were made for (may be empty).

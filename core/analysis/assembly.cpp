@@ -1,0 +1,141 @@
+#include "analysis/assembly.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <set>
+
+#include "analysis/node_index.h"
+#include "analysis/union_find.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+//! Renumbers groups as 0, 1, 2, ... in order of their first member; -1 stays.
+void renumber(std::vector<int>& groups) {
+  std::map<int, int> numbers;
+  for (int& group : groups) {
+    if (group >= 0) {
+      group = numbers.emplace(group, static_cast<int>(numbers.size())).first->second;
+    }
+  }
+}
+
+int countOf(const std::vector<int>& groups) {
+  return groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+}
+
+void tellStrayAssembly(const Scene& scene,
+                       const std::vector<int>& assemblies,
+                       int stray,
+                       ItemResult& result) {
+  Problem problem;
+  problem.kind = "separate";
+  for (std::size_t i = 0; i < assemblies.size(); ++i) {
+    if (assemblies[i] == stray) {
+      problem.parts.push_back(static_cast<int>(i));
+    }
+  }
+  const auto first = static_cast<std::size_t>(problem.parts.front());
+  problem.at = scene.model->parts[first].pose.position;
+  problem.message = std::to_string(problem.parts.size()) + " parts beside " +
+                    nameOf(scene, problem.parts.front()) + " at " + pointText(*problem.at) +
+                    " are not connected to the rest";
+  result.problems.push_back(std::move(problem));
+}
+
+}  // namespace
+
+std::vector<int> findAssemblies(const Scene& scene) {
+  UnionFind groups(scene.parts.size());
+  std::vector<int> assemblies(scene.parts.size(), -1);
+  for (const model::Connection& c : scene.connections) {
+    if (c.fit != model::Fit::kSlide) {
+      groups.join(c.male, c.female);
+      assemblies[static_cast<std::size_t>(c.male)] = 0;
+      assemblies[static_cast<std::size_t>(c.female)] = 0;
+    }
+  }
+  for (std::size_t i = 0; i < assemblies.size(); ++i) {
+    if (assemblies[i] == 0) {
+      assemblies[i] = groups.find(static_cast<int>(i));
+    }
+  }
+  renumber(assemblies);
+  return assemblies;
+}
+
+std::vector<int> piecesOfSketch(const Scene& scene, const std::vector<EdgeCover>& coverage) {
+  if (!scene.sketch.has_value()) {
+    return {};
+  }
+  UnionFind groups(scene.sketch->lines.size());
+  const NodeIndex nodes(coverage);
+  for (int node = 0; node < static_cast<int>(nodes.points().size()); ++node) {
+    const std::vector<int>& edges = nodes.edgesAt(node);
+    for (const int e : edges) {
+      groups.join(coverage[static_cast<std::size_t>(edges.front())].line,
+                  coverage[static_cast<std::size_t>(e)].line);
+    }
+  }
+  std::vector<int> pieces(scene.sketch->lines.size());
+  for (std::size_t l = 0; l < pieces.size(); ++l) {
+    pieces[l] = groups.find(static_cast<int>(l));
+  }
+  renumber(pieces);
+  return pieces;
+}
+
+ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& coverage) {
+  ItemResult result;
+  const std::vector<int> assemblies = findAssemblies(scene);
+  const std::vector<int> pieces = piecesOfSketch(scene, coverage);
+  std::vector<std::set<int>> ofPiece(static_cast<std::size_t>(countOf(pieces)));
+  for (const EdgeCover& edge : coverage) {
+    for (const Cover& cover : edge.covers) {
+      const int assembly = assemblies[static_cast<std::size_t>(cover.part)];
+      if (assembly >= 0) {
+        ofPiece[static_cast<std::size_t>(pieces[static_cast<std::size_t>(edge.line)])].insert(
+            assembly);
+      }
+    }
+  }
+  // The first assembly of each piece is its main one; any other is a stray. Without a sketch the
+  // assembly of the first part is.
+  std::set<int> main;
+  for (const std::set<int>& found : ofPiece) {
+    if (!found.empty()) {
+      main.insert(*found.begin());
+    }
+  }
+  if (main.empty()) {
+    main.insert(0);
+  }
+  for (int assembly = 0; assembly < countOf(assemblies); ++assembly) {
+    if (main.count(assembly) == 0) {
+      tellStrayAssembly(scene, assemblies, assembly, result);
+    }
+  }
+  for (std::size_t piece = 0; piece < ofPiece.size(); ++piece) {
+    if (ofPiece[piece].size() > 1) {
+      // Each of them is main for some piece, yet this piece is spread over several.
+      const bool told = std::any_of(ofPiece[piece].begin(),
+                                    ofPiece[piece].end(),
+                                    [&](int assembly) { return main.count(assembly) == 0; });
+      if (!told) {
+        result.problems.push_back({"separate",
+                                   "connected part " + std::to_string(piece) +
+                                       " of the sketch is built as " +
+                                       std::to_string(ofPiece[piece].size()) + " assemblies",
+                                   std::nullopt,
+                                   {}});
+      }
+    }
+  }
+  result.detail = std::to_string(countOf(assemblies)) + " assemblies for " +
+                  std::to_string(ofPiece.size()) + " connected parts of the sketch";
+  return result;
+}
+
+}  // namespace liftarm::analysis

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/coverage.h"
+#include "analysis/findings.h"
+#include "analysis/scene.h"
+
+namespace liftarm::analysis {
+
+//! \brief The assembly of each part: parts that fits join to each other (an axle in a pin hole
+//! joins nothing). Parts that nothing holds are -1: item 3 tells of them.
+std::vector<int> findAssemblies(const Scene& scene);
+
+//! \brief Item 4 of DESIGN 5: the parts of each connected part of the sketch form one connected
+//! assembly, and there is no assembly without a part of the sketch. Without a sketch: one assembly
+//! in all.
+ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& coverage);
+
+//! \brief Connected parts of the sketch: lines that share a node. One number per line, from 0.
+std::vector<int> piecesOfSketch(const Scene& scene, const std::vector<EdgeCover>& coverage);
+
+}  // namespace liftarm::analysis

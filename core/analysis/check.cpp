@@ -1,0 +1,96 @@
+#include "analysis/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "analysis/assembly.h"
+#include "analysis/connection_check.h"
+#include "analysis/coverage.h"
+#include "analysis/interpenetration.h"
+#include "analysis/real_parts.h"
+#include "analysis/scene.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+void add(CheckReport& report, const char* id, const char* title, const ItemResult& result) {
+  report.items.push_back({id, title, result.problems.empty(), result.detail});
+  report.problems.insert(report.problems.end(), result.problems.begin(), result.problems.end());
+}
+
+//! The box around the real geometry of all parts.
+Box boxOf(const Scene& scene) {
+  Box box;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const parts::Part* part = scene.parts[i].part;
+    if (part == nullptr) {
+      continue;
+    }
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      lattice::Vec3 p = part->boundsMin;
+      for (int k = 0; k < 3; ++k) {
+        p[k] = (corner >> static_cast<unsigned>(k) & 1U) != 0 ? part->boundsMax[k] : p[k];
+      }
+      const lattice::Vec3 world = scene.model->parts[i].pose.apply(p);
+      box.add({world, world});
+    }
+  }
+  return box;
+}
+
+int countOfKind(const std::vector<Problem>& problems, const char* kind) {
+  return static_cast<int>(
+      std::count_if(problems.begin(), problems.end(), [&](const Problem& problem) {
+        return problem.kind == kind;
+      }));
+}
+
+void countParts(const Scene& scene, CheckCounts& counts) {
+  for (const ScenePart& part : scene.parts) {
+    ++counts.bricks;
+    if (part.part != nullptr) {
+      counts.beams += part.part->partClass == parts::PartClass::kBeam ? 1 : 0;
+      counts.mass += part.part->mass;
+    }
+  }
+  const Box box = boxOf(scene);
+  counts.size = box.empty() ? lattice::Vec3{} : box.max - box.min;
+}
+
+}  // namespace
+
+CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue) {
+  const Scene scene = makeScene(model, catalogue);
+  const std::vector<EdgeCover> coverage = findCoverage(scene);
+  const ItemResult connections = checkConnections(scene);
+  const ItemResult assembly = checkAssembly(scene, coverage);
+
+  CheckReport report;
+  add(report,
+      "realParts",
+      "Every part is real and placed by a proper rotation",
+      checkRealParts(scene));
+  add(report,
+      "interpenetration",
+      "No two parts share space, none lies in a forbidden place",
+      checkInterpenetration(scene));
+  add(report, "connections", "Every head fits its hole, every part is held", connections);
+  add(report, "assembly", "All parts hang together", assembly);
+  add(report,
+      "coverage",
+      "Every unit edge of the sketch is covered or bridged",
+      checkCoverage(scene, coverage));
+  report.buildable = report.problems.empty();
+
+  countParts(scene, report.counts);
+  report.counts.gaps = countGaps(scene, coverage);
+  report.counts.collisions = countOfKind(report.problems, "collision");
+  report.counts.uncovered = countOfKind(report.problems, "uncovered");
+  report.counts.failedConnections =
+      static_cast<int>(connections.problems.size() + assembly.problems.size());
+  return report;
+}
+
+}  // namespace liftarm::analysis

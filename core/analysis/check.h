@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/findings.h"
+#include "model/model.h"
+
+namespace liftarm::analysis {
+
+//! \brief One item of the contract in DESIGN 5.
+struct CheckItem {
+  std::string id;
+  std::string title;
+  bool ok = false;
+  std::string detail;
+};
+
+//! \brief Numbers of a model, found from its geometry alone.
+struct CheckCounts {
+  int beams = 0;
+  int bricks = 0;  //!< all parts
+  int gaps = 0;
+  int collisions = 0;         //!< pairs of parts
+  int uncovered = 0;          //!< rows of edges neither covered nor bridged
+  int failedConnections = 0;  //!< problems of items 3 and 4
+  double mass = 0.0;          //!< grams
+  lattice::Vec3 size;         //!< modules along x, y, z
+};
+
+//! \brief What a model is worth.
+struct CheckReport {
+  bool buildable = false;  //!< all items hold
+  std::vector<CheckItem> items;
+  std::vector<Problem> problems;  //!< item by item
+  CheckCounts counts;
+};
+
+//! \brief Judges a model by DESIGN 5, items 1 to 5.
+//! \details Written against the placed parts alone: shares nothing with the search but the
+//! catalogue. Items 6 (taking apart) and 7 (joints that turn) are not judged here. \param model May
+//! come from any file; its sketch, if it has one, is read for items 2, 4 and 5.
+CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue);
+
+}  // namespace liftarm::analysis
