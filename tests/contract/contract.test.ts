@@ -1,0 +1,111 @@
+import { beforeAll, describe, expect, test } from 'vitest';
+import type { ExportFormat, SolveProgress } from '../../web/src/solver/protocol.ts';
+import { SOLVER_STATUSES } from '../../web/src/solver/solver-module.ts';
+import { exampleNames, exampleText, loadModule, solveWithModule } from './module.ts';
+
+const module = await loadModule();
+
+/** One value of the type of each field: a field that is missing here does not compile. */
+const PROGRESS: SolveProgress = {
+  done: false,
+  phase: '',
+  iterations: 0,
+  fraction: 0,
+  objective: 0,
+  temperature: 0,
+  beams: 0,
+  gaps: 0,
+  collisions: 0,
+  failedConnections: 0,
+  improvements: 0,
+};
+
+/** Each format of the type: one that is missing here does not compile. */
+const FORMATS: Record<ExportFormat, RegExp> = { mpd: /^0 FILE /, 'parts.csv': /^Part,Color,/ };
+
+const typesOf = (value: object) =>
+  Object.fromEntries(Object.entries(value).map(([key, field]) => [key, typeof field]));
+
+test('the statuses of C++ and TypeScript are the same, in the same order', () => {
+  expect(JSON.parse(module.contractJson())).toMatchObject({ statuses: [...SOLVER_STATUSES] });
+});
+
+test('progress has exactly the fields that TypeScript names, with their types', () => {
+  const session = new module.SolverSession(exampleText('square-frame'), '{}');
+  session.advance(10);
+  const progress = JSON.parse(session.progressJson());
+  session.delete();
+  expect(typesOf(progress)).toEqual(typesOf(PROGRESS));
+});
+
+test('settings that spell out every default give the same model as no settings', () => {
+  const { settings } = JSON.parse(module.contractJson());
+  const { seed, preset, method } = settings;
+  const sketch = exampleText('cube');
+  const spelled = solveWithModule(module, sketch, { seed, preset, method, set: {} });
+  expect(spelled.modelJson).toBe(solveWithModule(module, sketch, {}).modelJson);
+});
+
+describe('a solved drawing', () => {
+  let modelJson = '';
+
+  beforeAll(() => {
+    modelJson = solveWithModule(module, exampleText('square-frame'), { seed: 1 }).modelJson;
+  });
+
+  test.each(Object.entries(FORMATS))('is exported as %s', (format, start) => {
+    expect(module.exportModel(modelJson, format)).toMatchObject({
+      status: 'ok',
+      text: expect.stringMatching(start),
+    });
+  });
+
+  test('is checked, with every item of DESIGN 5 that is there named', () => {
+    const { status, text } = module.checkModelJson(modelJson);
+    expect(status).toBe('ok');
+    const check = JSON.parse(text);
+    expect(check.buildable).toBe(true);
+    expect(check.items.length).toBeGreaterThanOrEqual(5);
+  });
+
+  test('is not exported in a format that does not exist', () => {
+    expect(module.exportModel(modelJson, 'stl').status).not.toBe('ok');
+  });
+});
+
+test.each(exampleNames())('the example %s is accepted', (name) => {
+  const session = new module.SolverSession(exampleText(name), '{}');
+  const opened = session.opened();
+  session.delete();
+  expect(opened).toEqual({ status: 'ok', text: '' });
+});
+
+test.each([
+  ['broken JSON', '{"format":', /./],
+  ['nothing', '', /./],
+  ['another format', '{"format":"x","version":1,"lines":[]}', /technic-sketch/],
+  [
+    'a length of 4.5',
+    '{"format":"technic-sketch","version":1,"lines":[{"from":[0,0,0],"to":[4.5,0,0]}]}',
+    /lines\[0\]: length 4\.5 .*4 or 5/,
+  ],
+])('%s is refused with a message that says why', (_, sketch, message) => {
+  const session = new module.SolverSession(sketch, '{}');
+  const { status, text } = session.opened();
+  session.delete();
+  expect(status).not.toBe('ok');
+  expect(text).toMatch(message);
+});
+
+test('an unknown setting is refused by its name', () => {
+  const session = new module.SolverSession(exampleText('cube'), '{"set":{"speed":3}}');
+  const { status, text } = session.opened();
+  session.delete();
+  expect(status).toBe('invalidInput');
+  expect(text).toContain('speed');
+});
+
+test('a text that is no model is refused by check and export', () => {
+  expect(module.checkModelJson('{}').status).toBe('invalidInput');
+  expect(module.exportModel('nonsense', 'mpd').status).toBe('invalidInput');
+});
