@@ -14,6 +14,9 @@ export interface DetailChoice {
  */
 export function chooseDetail(partCount: number, pixelsPerModule: number): DetailChoice {
   const lines = pixelsPerModule >= 5;
+  if (pixelsPerModule >= 110 && partCount <= 400) {
+    return { detail: 'ultra', lines };
+  }
   if (pixelsPerModule >= 22 && partCount <= 1200) {
     return { detail: 'high', lines };
   }

@@ -19,6 +19,31 @@ export function pickPart(
   context: PickContext,
 ): PartPick | null {
   let best: PartPick | null = null;
+  for (const { index, local, entry, part } of candidates(ray, parts, context)) {
+    if (best && entry > best.distance) {
+      break;
+    }
+    const mesh = context.library.get(part, 'low')?.mesh;
+    const distance = mesh ? rayMeetsMesh(local, mesh) : null;
+    if (distance !== null && (!best || distance < best.distance)) {
+      best = { index, distance, point: add(ray.origin, scale(ray.direction, distance)) };
+    }
+  }
+  return best;
+}
+
+interface Candidate {
+  readonly index: number;
+  readonly part: string;
+  /** The ray in the part's own frame. */
+  readonly local: Ray;
+  /** Where it enters the part's box, modules along the ray. */
+  readonly entry: number;
+}
+
+/** Parts whose boxes the ray enters, nearest first. */
+function candidates(ray: Ray, parts: readonly PlacedPart[], context: PickContext): Candidate[] {
+  const found: Candidate[] = [];
   parts.forEach((placed, index) => {
     const part = context.library.catalogue.find(placed.part);
     if (!part || !context.isPickable(index)) {
@@ -26,16 +51,11 @@ export function pickPart(
     }
     const local = toPartFrame(ray, placed, context.shift(index));
     const entry = rayEntersBox(local, part.boundsMin, part.boundsMax);
-    if (entry === null || (best && entry > best.distance)) {
-      return;
-    }
-    const mesh = context.library.get(placed.part, 'low')?.mesh;
-    const distance = mesh ? rayMeetsMesh(local, mesh) : null;
-    if (distance !== null && (!best || distance < best.distance)) {
-      best = { index, distance, point: add(ray.origin, scale(ray.direction, distance)) };
+    if (entry !== null) {
+      found.push({ index, part: placed.part, local, entry });
     }
   });
-  return best;
+  return found.sort((a, b) => a.entry - b.entry);
 }
 
 function toPartFrame(ray: Ray, placed: PlacedPart, shift: Vec3): Ray {

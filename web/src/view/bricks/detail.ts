@@ -1,5 +1,5 @@
 /** How finely parts are drawn. */
-export type DetailName = 'high' | 'medium' | 'low';
+export type DetailName = 'ultra' | 'high' | 'medium' | 'low';
 
 /** What a level of detail draws. */
 export interface Detail {
@@ -17,6 +17,14 @@ export interface Detail {
 }
 
 export const DETAILS: Readonly<Record<DetailName, Detail>> = {
+  ultra: {
+    name: 'ultra',
+    segments: 48,
+    rounding: 0.025,
+    counterbores: true,
+    pinDetails: true,
+    silhouettes: true,
+  },
   high: {
     name: 'high',
     segments: 24,
@@ -27,7 +35,7 @@ export const DETAILS: Readonly<Record<DetailName, Detail>> = {
   },
   medium: {
     name: 'medium',
-    segments: 16,
+    segments: 12,
     rounding: 0,
     counterbores: true,
     pinDetails: false,

@@ -3,6 +3,7 @@ import { add, dot, scale, subtract, type Vec3 } from '../../model/vec.ts';
 import { addAxle } from './axle.ts';
 import { addBush, addStop, hasFlanges } from './bush.ts';
 import { DETAILS, type Detail, type DetailName, DIMENSIONS } from './detail.ts';
+import { addGear } from './gear.ts';
 import { addAxleHole, addPinHole, axleHoleOpening, pinHoleOpening } from './holes.ts';
 import {
   type BrickMesh,
@@ -35,7 +36,7 @@ export function buildPartMesh(part: Part, detailName: DetailName): BrickMesh {
   const layout = layOutPart(part);
   if (hasFlanges(part)) {
     addBush(builder, part, detail);
-  } else {
+  } else if (!addGear(builder, part, detail)) {
     for (const group of layout.groups) {
       addGroup(builder, group, detail);
     }

@@ -108,7 +108,7 @@ function nodeDots(nodes: readonly SketchNode[], marks: SketchMarks, theme: ViewT
     const colour = node.kind === 'inner' ? theme.node : theme.end;
     return {
       at: node.at,
-      size: SIZE[node.kind === 'inner' ? 'node' : node.kind],
+      size: SIZE[node.kind === 'inner' ? 'node' : node.kind] + (strong ? 2 : 0),
       colour: strong && node.kind !== 'junction' ? accent : colour,
       ring: node.kind === 'junction',
     };

@@ -1,0 +1,100 @@
+import { InstancedMesh, LineSegments, type Object3D } from 'three';
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { Model, PlacedPart } from '../../../web/src/model/model.ts';
+import { IDENTITY, type Vec3 } from '../../../web/src/model/vec.ts';
+import { BrickLibrary } from '../../../web/src/view/bricks/brick-library.ts';
+import { BrickMaterials } from '../../../web/src/view/bricks/brick-materials.ts';
+import { chooseDetail } from '../../../web/src/view/level-of-detail.ts';
+import { ModelLayer } from '../../../web/src/view/model-layer.ts';
+import { catalogue } from './helpers/catalogue.ts';
+
+function placed(part: string, position: Vec3): PlacedPart {
+  return { part, color: 71, position, rotation: IDENTITY, component: 0, layer: 0, piece: 0 };
+}
+
+const model: Model = {
+  name: 'three kinds',
+  parts: [
+    placed('32316', [0, 0, 0]),
+    placed('2780', [0, 0, 0.5]),
+    placed('32316', [0, 0, 1]),
+    placed('no such part', [0, 0, 0]),
+    placed('55615', [4, 0, 0]),
+  ],
+};
+
+function surfaces(layer: ModelLayer): InstancedMesh[] {
+  return layer.group.children.filter((child: Object3D) => child instanceof InstancedMesh);
+}
+
+function instances(layer: ModelLayer): number {
+  return surfaces(layer).reduce((sum, mesh) => sum + mesh.count, 0);
+}
+
+describe('ModelLayer', () => {
+  let layer: ModelLayer;
+
+  beforeEach(() => {
+    layer = new ModelLayer(new BrickLibrary(catalogue), new BrickMaterials());
+    layer.setModel(model);
+  });
+
+  it('draws every known part once', () => {
+    expect(instances(layer)).toBe(4);
+  });
+
+  it('takes two draw calls for each kind of part', () => {
+    const lines = layer.group.children.filter((child) => child instanceof LineSegments);
+    expect(surfaces(layer)).toHaveLength(3);
+    expect(lines).toHaveLength(3);
+  });
+
+  it('hides the others of an isolated part', () => {
+    layer.setIsolation({ parts: new Set([1]), others: 'hidden' });
+    expect(instances(layer)).toBe(1);
+  });
+
+  it('keeps the others of an isolated part as ghosts', () => {
+    layer.setIsolation({ parts: new Set([1]), others: 'ghost' });
+    expect(instances(layer)).toBe(4);
+  });
+
+  it('moves parts away from the middle when exploded', () => {
+    const before = layer.partCentre(4);
+    layer.setExplode(1);
+    const after = layer.partCentre(4);
+    expect((after?.[0] ?? 0) - (before?.[0] ?? 0)).toBeGreaterThan(0.5);
+  });
+
+  it('is empty again without a model', () => {
+    layer.setModel(null);
+    expect(layer.group.children).toHaveLength(0);
+    expect(layer.bounds).toBeNull();
+  });
+
+  it('stays below two million triangles with a thousand beams and pins in high detail', () => {
+    const mix = ['32524', '2780', '32316', '6558', '2780'];
+    const parts = Array.from({ length: 1000 }, (_, i) => placed(mix[i % 5] ?? '2780', [i, 0, 0]));
+    layer.setModel({ name: 'large', parts });
+    const triangles = surfaces(layer).reduce(
+      (sum, mesh) => sum + (mesh.count * (mesh.geometry.index?.count ?? 0)) / 3,
+      0,
+    );
+    expect(triangles).toBeLessThan(2e6);
+  });
+});
+
+describe('chooseDetail', () => {
+  it('grows coarser as one moves away', () => {
+    const names = [200, 40, 12, 3].map((pixels) => chooseDetail(300, pixels).detail);
+    expect(names).toEqual(['ultra', 'high', 'medium', 'low']);
+  });
+
+  it('draws very large models coarser', () => {
+    expect(chooseDetail(5000, 40).detail).toBe('low');
+  });
+
+  it('leaves lines out where they would be denser than pixels', () => {
+    expect(chooseDetail(300, 3).lines).toBe(false);
+  });
+});
