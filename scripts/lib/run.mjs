@@ -65,6 +65,7 @@ export function freePort(wanted) {
 
 /** Ends a script: one line for what was expected to go wrong, a trace for what was not. */
 export function exitWith(error) {
-  console.error(error instanceof StepError ? `\n${error.message}` : error);
+  const expected = error instanceof StepError || error?.code?.startsWith('ERR_PARSE_ARGS');
+  console.error(expected ? `\n${error.message}` : error);
   process.exit(1);
 }
