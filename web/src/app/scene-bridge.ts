@@ -10,6 +10,8 @@ import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
 
 const NOTHING: Pick = { line: null, node: null, part: null };
 const LABEL_OFFSET = 16;
+/** Pause after the picture of an unfinished layout, as a multiple of what the picture cost. */
+const INTERIM_SHARE = 4;
 
 /** Puts the page's state into the scene and the scene's pointer into the tools. */
 export class SceneBridge implements PointerTarget {
@@ -21,6 +23,7 @@ export class SceneBridge implements PointerTarget {
   #label: HTMLElement | null = null;
   #labelShown: OverlayLabel | null = null;
   #coarse = false;
+  #nextInterim = 0;
 
   /** What the tools see of the scene; harmless before there is one. */
   readonly toolView: ToolView = {
@@ -152,7 +155,23 @@ export class SceneBridge implements PointerTarget {
 
   #showModel(): void {
     const shown = this.#state.shown.value;
-    this.#view?.setModel(shown?.model ?? null, { dimmed: this.#state.stale.value });
+    const dimmed = this.#state.stale.value;
+    const interim = shown !== null && shown.report === null;
+    const now = performance.now();
+    // A slow machine must not spend its time on pictures of layouts that are about to be improved.
+    if (interim && now < this.#nextInterim) {
+      return;
+    }
+    this.#view?.setModel(shown?.model ?? null, { dimmed });
+    if (interim) {
+      this.#nextInterim = Number.POSITIVE_INFINITY;
+      requestAnimationFrame(() =>
+        requestAnimationFrame(() => {
+          const cost = performance.now() - now;
+          this.#nextInterim = performance.now() + INTERIM_SHARE * cost;
+        }),
+      );
+    }
   }
 
   #showOverlay(host: HTMLElement): void {

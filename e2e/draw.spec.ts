@@ -1,0 +1,103 @@
+import { nativeCheck } from './helpers/native.ts';
+import {
+  clickPlaces,
+  downloaded,
+  expect,
+  generate,
+  openEmpty,
+  savedSketch,
+  settled,
+  test,
+} from './helpers/test.ts';
+
+/** Corners of a frame in the view from above, and the first corner again. */
+const FRAME = [
+  [-200, -150],
+  [200, -150],
+  [200, 150],
+  [-200, 150],
+  [-200, -150],
+] as const;
+
+test('a frame drawn by hand becomes a model that the command finds buildable', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('l');
+  await clickPlaces(page, FRAME);
+  expect((await savedSketch(page)).lines).toHaveLength(4);
+
+  await generate(page);
+  await expect(page.getByTestId('verdict')).toContainText('Buildable');
+
+  const model = await downloaded(page, () =>
+    page.getByRole('button', { name: 'Model', exact: true }).click(),
+  );
+  const check = nativeCheck(model);
+  expect(check, check.words).toMatchObject({ code: 0 });
+
+  const mpd = await downloaded(page, () => page.getByRole('button', { name: 'LDraw' }).click());
+  const { parts } = JSON.parse(model) as { parts: unknown[] };
+  expect(mpd.split('\n').filter((row) => row.startsWith('1 '))).toHaveLength(parts.length);
+
+  const csv = await downloaded(page, () =>
+    page.getByRole('button', { name: 'Parts', exact: true }).click(),
+  );
+  expect(csv.trim().split('\n').length).toBeGreaterThan(1);
+});
+
+test('undo and redo take every step back and forth, also after a reload', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('l');
+  await clickPlaces(page, FRAME);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  expect((await savedSketch(page)).lines).toHaveLength(2);
+
+  await page.reload();
+  await settled(page);
+  expect((await savedSketch(page)).lines).toHaveLength(2);
+  await page.keyboard.press('Control+Shift+z');
+  await page.keyboard.press('Control+y');
+  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expect(page.getByRole('button', { name: 'Redo' })).toBeDisabled();
+});
+
+test('a typed length and a locked axis decide where a line ends', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('l');
+  await clickPlaces(page, [[0, 0]]);
+  await page.keyboard.type('x12');
+  await page.keyboard.press('Enter');
+  const { lines } = await savedSketch(page);
+  const [line] = lines as { from: number[]; to: number[] }[];
+  expect((line?.to[0] ?? 0) - (line?.from[0] ?? 0)).toBe(12);
+});
+
+test('a selection is moved, copied and deleted', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('r');
+  await clickPlaces(page, [
+    [-150, -100],
+    [150, 100],
+  ]);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Control+d');
+  expect((await savedSketch(page)).lines).toHaveLength(8);
+  await page.keyboard.press('Delete');
+  expect((await savedSketch(page)).lines).toHaveLength(4);
+});
+
+test('a search is cancelled at once and the sketch stays', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('g');
+  await page.keyboard.type('2');
+  await clickPlaces(page, [
+    [-300, -280],
+    [300, 280],
+  ]);
+  const { lines } = await savedSketch(page);
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await expect(page.getByText(/^Cancelled/)).toBeVisible();
+  expect((await savedSketch(page)).lines).toHaveLength(lines.length);
+});

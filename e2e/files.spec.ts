@@ -1,0 +1,95 @@
+import type { Page } from '@playwright/test';
+import { expect, openEmpty, openPage, savedSketch, test } from './helpers/test.ts';
+
+const GOOD = JSON.stringify({
+  format: 'technic-sketch',
+  version: 1,
+  name: 'Opened',
+  lines: [
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [8, 0, 0], to: [8, 6, 0] },
+    { from: [8, 6, 0], to: [0, 0, 0] },
+  ],
+});
+
+const line = (from: string, to: string) =>
+  `{"format":"technic-sketch","version":1,"lines":[{"from":${from},"to":${to}}]}`;
+
+function hugeFile(): string {
+  const row = '{"from":[0,0,0],"to":[8,0,0]},';
+  return `{"format":"technic-sketch","version":1,"lines":[${row.repeat(300_000)}]}`;
+}
+
+const BAD: readonly (readonly [string, string, RegExp])[] = [
+  ['broken.json', '{"format":"technic-sketch","version":1,"lines":[{', /JSON/i],
+  ['wrong-types.json', line('[0,0,"a"]', '[8,0,0]'), /lines\[0\]\.from/],
+  ['length.json', line('[0,0,0]', '[4.5,0,0]'), /4\.5.*whole number/],
+  ['diagonal.json', line('[0,0,0]', '[2,3,6]'), /plane/],
+  ['nan.json', line('[0,0,NaN]', '[8,0,0]'), /JSON/i],
+  ['empty.json', '', /empty/],
+  ['huge.json', hugeFile(), /limit|at most/],
+  ['other.json', '{"hello":"world"}', /format/],
+];
+
+async function open(page: Page, name: string, content: string): Promise<void> {
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    page.keyboard.press('Control+o'),
+  ]);
+  await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(content) });
+}
+
+test('a sketch file is opened, and undo brings back what was there', async ({ page }) => {
+  await openEmpty(page);
+  await open(page, 'good.sketch.json', GOOD);
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
+  expect((await savedSketch(page)).lines).toHaveLength(3);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByText('Draw some lines first.')).toBeVisible();
+});
+
+test('a dropped file is opened', async ({ page }) => {
+  await openEmpty(page);
+  const data = await page.evaluateHandle((content) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], 'dropped.json', { type: 'application/json' }));
+    return transfer;
+  }, GOOD);
+  await page.dispatchEvent('.stage', 'drop', { dataTransfer: data });
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
+});
+
+for (const [name, content, message] of BAD) {
+  test(`one clear message for ${name}, and the sketch stays`, async ({ page }) => {
+    await openEmpty(page);
+    await open(page, 'good.sketch.json', GOOD);
+    await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
+    await open(page, name, content);
+    const alert = page.getByRole('alert');
+    await expect(alert).toHaveCount(1);
+    await expect(alert).toContainText(name);
+    await expect(alert).toContainText(message);
+    expect((await savedSketch(page)).lines).toHaveLength(3);
+  });
+}
+
+test('the link holds the sketch', async ({ page, context }) => {
+  await openEmpty(page);
+  await open(page, 'good.sketch.json', GOOD);
+  await expect(page).toHaveURL(/#s1\./);
+  const address = page.url();
+
+  const other = await context.browser()?.newContext();
+  const visitor = await other?.newPage();
+  if (!visitor) {
+    throw new Error('no second visitor');
+  }
+  await openPage(visitor, address);
+  await expect(visitor.getByLabel('Name of the sketch')).toHaveValue('Opened');
+  await other?.close();
+});
+
+test('a broken link gives one sentence', async ({ page }) => {
+  await openPage(page, '/#s1.garbage.0');
+  await expect(page.getByRole('alert')).toContainText('damaged');
+});

@@ -1,0 +1,108 @@
+import { test as base, expect, type Page } from '@playwright/test';
+
+/** Software rendering waits for its pixels and says so; that is no fault of the page. */
+const HARMLESS = /GPU stall due to ReadPixels/;
+
+/** A test whose page must say nothing on the console that is an error, and throw nothing. */
+export const test = base.extend({
+  page: async ({ page }, use) => {
+    const errors: string[] = [];
+    page.on('console', (message) => {
+      if (message.type() === 'error' && !HARMLESS.test(message.text())) {
+        errors.push(message.text());
+      }
+    });
+    page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+    // Moving pictures cost seconds without a graphics card.
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await use(page);
+    expect(errors).toEqual([]);
+  },
+});
+
+/** Opens the page and waits until it can be used. */
+export async function openPage(page: Page, address = '/'): Promise<void> {
+  await page.goto(address);
+  await expect(page.locator('.scene canvas')).toBeVisible();
+  // Either the last visit's sketch, a link's, or the first example is there.
+  await expect(page.getByText('Draw some lines first.')).toBeHidden();
+}
+
+/** Opens the page with nothing drawn and nothing solved by itself, seen from straight above. */
+export async function openEmpty(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const key = 'liftarm/preferences';
+    if (localStorage.getItem(key) === null) {
+      localStorage.setItem(key, JSON.stringify({ autoSolve: false, projection: 'orthographic' }));
+    }
+  });
+  await openPage(page);
+  await page.getByRole('button', { name: 'New sketch' }).click();
+  await expect(page.getByText('Draw some lines first.')).toBeVisible();
+  await page.keyboard.press('t');
+  await settled(page);
+}
+
+/** Waits until the camera has come to rest: two frames that look alike. */
+export async function settled(page: Page): Promise<void> {
+  // A camera's move takes a third of a second of frames, which are slow without a graphics card.
+  await page.evaluate(
+    () =>
+      new Promise<void>((resolve) => {
+        const until = performance.now() + 600;
+        const next = () => (performance.now() > until ? resolve() : requestAnimationFrame(next));
+        requestAnimationFrame(next);
+      }),
+  );
+}
+
+/** How many lines the sketch has, from the sketch file that the page saves. */
+export async function savedSketch(page: Page): Promise<{ lines: unknown[]; name?: string }> {
+  const text = await downloaded(page, () => page.keyboard.press('Control+s'));
+  return JSON.parse(text) as { lines: unknown[] };
+}
+
+/** The text of the file that an action downloads. */
+export async function downloaded(page: Page, action: () => Promise<void>): Promise<string> {
+  const [file] = await Promise.all([page.waitForEvent('download'), action()]);
+  const stream = await file.createReadStream();
+  const chunks: Buffer[] = [];
+  for await (const chunk of stream) {
+    chunks.push(chunk as Buffer);
+  }
+  return Buffer.concat(chunks).toString('utf8');
+}
+
+/** Presses Generate and waits for the verdict. */
+export async function generate(page: Page): Promise<void> {
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 90_000 });
+  await expect(page.getByRole('button', { name: /^Generate/ })).toBeVisible({ timeout: 90_000 });
+}
+
+/** A place in the drawing: pixels from its middle, y upwards. */
+export async function canvasPoint(
+  page: Page,
+  x: number,
+  y: number,
+): Promise<{ x: number; y: number }> {
+  const box = await page.locator('.scene canvas').boundingBox();
+  if (!box) {
+    throw new Error('the drawing is not on screen');
+  }
+  return { x: box.x + box.width / 2 + x, y: box.y + box.height / 2 - y };
+}
+
+/** Clicks places in the drawing, one after the other. */
+export async function clickPlaces(
+  page: Page,
+  places: readonly (readonly [number, number])[],
+): Promise<void> {
+  for (const [x, y] of places) {
+    const at = await canvasPoint(page, x, y);
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.click(at.x, at.y);
+  }
+}
+
+export { expect };

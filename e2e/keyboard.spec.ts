@@ -1,0 +1,51 @@
+import { expect, generate, openEmpty, savedSketch, test } from './helpers/test.ts';
+
+test('a box is drawn with the keyboard alone', async ({ page }) => {
+  await openEmpty(page);
+  await page.locator('.scene canvas').focus();
+  await page.keyboard.press('b');
+  await page.keyboard.press('Enter');
+  for (let i = 0; i < 4; i++) {
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowUp');
+  }
+  await expect(page.getByTestId('announcer')).toContainText('Cursor');
+  await page.keyboard.press('Enter');
+  for (let i = 0; i < 4; i++) {
+    await page.keyboard.press('PageUp');
+  }
+  await page.keyboard.press('Enter');
+  expect((await savedSketch(page)).lines).toHaveLength(12);
+});
+
+test('lines are drawn, generated and undone with the keyboard alone', async ({ page }) => {
+  await openEmpty(page);
+  await page.locator('.scene canvas').focus();
+  await page.keyboard.press('l');
+  await page.keyboard.press('Enter');
+  for (const [key, count] of [
+    ['ArrowRight', 6],
+    ['ArrowUp', 4],
+    ['ArrowLeft', 6],
+    ['ArrowDown', 4],
+  ] as const) {
+    for (let i = 0; i < count; i++) {
+      await page.keyboard.press(key);
+    }
+    await page.keyboard.press('Enter');
+  }
+  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await generate(page);
+  await page.keyboard.press('Control+z');
+  expect((await savedSketch(page)).lines).toHaveLength(3);
+});
+
+test('every command is found in the palette and run from there', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox').fill('keys help');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('dialog', { name: 'Keys and help' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toBeHidden();
+});

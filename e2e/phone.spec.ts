@@ -1,0 +1,39 @@
+import type { CDPSession } from '@playwright/test';
+import { canvasPoint, expect, openPage, savedSketch, settled, test } from './helpers/test.ts';
+
+test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+async function drag(
+  session: CDPSession,
+  from: { x: number; y: number },
+  to: { x: number; y: number },
+): Promise<void> {
+  const touch = (
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    points: { x: number; y: number }[],
+  ) => session.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  await touch('touchStart', [from]);
+  await touch('touchMove', [{ x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 }]);
+  await touch('touchMove', [to]);
+  await touch('touchEnd', []);
+}
+
+test('one finger draws a line on a phone', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Menu' }).tap();
+  await page.getByRole('combobox').fill('new sketch');
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('t');
+  await settled(page);
+  const session = await page.context().newCDPSession(page);
+  await drag(session, await canvasPoint(page, -90, 40), await canvasPoint(page, 90, 40));
+  expect((await savedSketch(page)).lines).toHaveLength(1);
+});
+
+test('the sheet opens over the drawing and closes again', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Show result and settings' }).tap();
+  await expect(page.getByText('Settings')).toBeInViewport();
+  await page.getByRole('button', { name: 'Hide result and settings' }).tap();
+  await expect(page.getByText('Settings')).not.toBeInViewport();
+});

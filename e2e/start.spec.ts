@@ -1,0 +1,23 @@
+import { expect, openPage, test } from './helpers/test.ts';
+
+test('the page starts with an example that is solved and shown', async ({ page }) => {
+  await openPage(page);
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  await expect(page.locator('.parts tbody tr').first()).toBeVisible();
+});
+
+test('an example is chosen from the list and solved', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.getByRole('button', { name: /^House/ }).click();
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('House');
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
+});
+
+test('the picture is saved as PNG', async ({ page }) => {
+  await openPage(page);
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox').fill('picture');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  expect(file.suggestedFilename()).toMatch(/\.png$/);
+});
