@@ -222,30 +222,34 @@ class RunBuilder {
   std::vector<std::vector<GroupOfLine>> jointsAtNode_;
 };
 
-//! Numbers the connected parts in the order of their first runs.
-int numberPieces(Arrangement& arrangement) {
-  std::vector<int> pieceOfRun(arrangement.runs.size(), -1);
-  int pieces = 0;
-  for (std::size_t first = 0; first < arrangement.runs.size(); ++first) {
-    if (pieceOfRun[first] >= 0) {
-      continue;
-    }
-    std::vector<int> open{static_cast<int>(first)};
-    pieceOfRun[first] = pieces;
-    while (!open.empty()) {
-      const int run = open.back();
-      open.pop_back();
-      arrangement.runs[at(run)].piece = pieces;
-      for (const int node : arrangement.runs[at(run)].nodes) {
-        for (const auto& [other, ignored] : arrangement.nodes[at(node)].runs) {
-          if (pieceOfRun[at(other)] < 0) {
-            pieceOfRun[at(other)] = pieces;
-            open.push_back(other);
-          }
+//! Gives all runs that are connected with `first` the number of its piece.
+void floodPiece(Arrangement& arrangement, int first, int piece) {
+  std::vector<int> open{first};
+  arrangement.runs[at(first)].piece = piece;
+  while (!open.empty()) {
+    const int run = open.back();
+    open.pop_back();
+    for (const int node : arrangement.runs[at(run)].nodes) {
+      for (const auto& [other, ignored] : arrangement.nodes[at(node)].runs) {
+        if (arrangement.runs[at(other)].piece < 0) {
+          arrangement.runs[at(other)].piece = piece;
+          open.push_back(other);
         }
       }
     }
-    ++pieces;
+  }
+}
+
+//! Numbers the connected parts in the order of their first runs. \return How many there are.
+int numberPieces(Arrangement& arrangement) {
+  for (Run& run : arrangement.runs) {
+    run.piece = -1;
+  }
+  int pieces = 0;
+  for (std::size_t r = 0; r < arrangement.runs.size(); ++r) {
+    if (arrangement.runs[r].piece < 0) {
+      floodPiece(arrangement, static_cast<int>(r), pieces++);
+    }
   }
   return pieces;
 }

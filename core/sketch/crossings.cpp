@@ -1,6 +1,7 @@
 #include "sketch/crossings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -56,24 +57,34 @@ std::int64_t cellOf(double coordinate) {
   return static_cast<std::int64_t>(std::floor(coordinate + 0.5));
 }
 
+//! The cells from `low` to `high` along each axis.
+struct CellRange {
+  std::array<std::int64_t, 3> low{};
+  std::array<std::int64_t, 3> high{};
+};
+
+CellRange cellsAround(const Edge& edge) {
+  CellRange range;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = edge.from[axis];
+    const double b = edge.to[axis];
+    range.low[at(axis)] = cellOf(std::min(a, b) - kSamePoint);
+    range.high[at(axis)] = cellOf(std::max(a, b) + kSamePoint);
+  }
+  return range;
+}
+
 std::vector<CellEntry> sortIntoCells(const std::vector<Edge>& edges) {
   std::vector<CellEntry> entries;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    std::int64_t low[3];
-    std::int64_t high[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double a = edges[e].from[axis];
-      const double b = edges[e].to[axis];
-      low[axis] = cellOf(std::min(a, b) - kSamePoint);
-      high[axis] = cellOf(std::max(a, b) + kSamePoint);
-    }
-    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
-      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
-          const std::uint64_t key = base::mixHash(
-              base::mixHash(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y)),
-              static_cast<std::uint64_t>(z));
-          entries.push_back({key, static_cast<int>(e)});
+    const CellRange cells = cellsAround(edges[e]);
+    for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
+      for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
+        const std::uint64_t column =
+            base::mixHash(static_cast<std::uint64_t>(x), static_cast<std::uint64_t>(y));
+        for (std::int64_t z = cells.low[2]; z <= cells.high[2]; ++z) {
+          entries.push_back(
+              {base::mixHash(column, static_cast<std::uint64_t>(z)), static_cast<int>(e)});
         }
       }
     }

@@ -98,7 +98,7 @@ class DocumentBuilder {
 
   DocumentBuilder(std::string_view text, const JsonLimits& limits) : text_(text), limits_(limits) {}
 
-  // The library's names.
+  // NOLINTBEGIN(readability-identifier-naming): the library's names.
   bool null() { return put(nullptr) != nullptr; }
 
   bool boolean(bool value) { return put(value) != nullptr; }
@@ -153,6 +153,8 @@ class DocumentBuilder {
     }
     return fail(where + explanation(error.what()) + ", near " + inQuotes(word));
   }
+
+  // NOLINTEND(readability-identifier-naming)
 
   json takeDocument() { return std::move(document_); }
 

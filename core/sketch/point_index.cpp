@@ -31,28 +31,31 @@ std::int64_t PointIndex::cellOf(double coordinate) const {
   return static_cast<std::int64_t>(std::floor(coordinate / cellSize_ + kShift));
 }
 
+void PointIndex::searchCell(std::uint64_t key, lattice::Vec3 point, Nearest& nearest) const {
+  const auto cell = firstInCell_.find(key);
+  int id = cell == firstInCell_.end() ? -1 : cell->second;
+  for (; id >= 0; id = nextInCell_[static_cast<std::size_t>(id)]) {
+    const double distance = lattice::length(at(id) - point);
+    const bool isFirst = nearest.id < 0 || id < nearest.id;
+    if (distance < nearest.distance || (distance == nearest.distance && isFirst)) {
+      nearest = {id, distance};
+    }
+  }
+}
+
 int PointIndex::find(lattice::Vec3 point) const {
   const lattice::Vec3 reach{tolerance_, tolerance_, tolerance_};
   const lattice::Vec3 low = point - reach;
   const lattice::Vec3 high = point + reach;
-  int best = -1;
-  double bestDistance = tolerance_;
+  Nearest nearest{-1, tolerance_};
   for (std::int64_t x = cellOf(low.x); x <= cellOf(high.x); ++x) {
     for (std::int64_t y = cellOf(low.y); y <= cellOf(high.y); ++y) {
       for (std::int64_t z = cellOf(low.z); z <= cellOf(high.z); ++z) {
-        const auto cell = firstInCell_.find(keyOf(x, y, z));
-        int id = cell == firstInCell_.end() ? -1 : cell->second;
-        for (; id >= 0; id = nextInCell_[static_cast<std::size_t>(id)]) {
-          const double distance = lattice::length(at(id) - point);
-          if (distance < bestDistance || (distance == bestDistance && (best < 0 || id < best))) {
-            best = id;
-            bestDistance = distance;
-          }
-        }
+        searchCell(keyOf(x, y, z), point, nearest);
       }
     }
   }
-  return best;
+  return nearest.id;
 }
 
 int PointIndex::insert(lattice::Vec3 point) {

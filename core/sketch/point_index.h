@@ -32,7 +32,14 @@ class PointIndex {
   [[nodiscard]] int size() const { return static_cast<int>(points_.size()); }
 
  private:
+  //! A point and how far it is from the one that is looked for.
+  struct Nearest {
+    int id = -1;
+    double distance = 0.0;
+  };
+
   [[nodiscard]] std::int64_t cellOf(double coordinate) const;
+  void searchCell(std::uint64_t key, lattice::Vec3 point, Nearest& nearest) const;
 
   double tolerance_;
   double cellSize_;

@@ -137,6 +137,25 @@ bool checkJoint(const Joint& joint,
   return true;
 }
 
+//! All lines of an edge that fix its hole axis fix the same one.
+bool checkEdge(const Sketch& sketch, const ArrangedEdge& edge, FieldReader& fields) {
+  int fixedBy = -1;
+  for (const int line : edge.lines) {
+    const std::optional<Axis>& axis = sketch.lines[at(line)].holeAxis;
+    if (!axis.has_value()) {
+      continue;
+    }
+    if (fixedBy >= 0 && axis != edge.holeAxis) {
+      return fields.fail(memberPlace(elementPlace("lines", at(line)), "holeAxis"),
+                         std::string(axisName(*axis)) + ", but line " + std::to_string(fixedBy) +
+                             " overlaps it and says " + std::string(axisName(*edge.holeAxis)) +
+                             "; expected the same");
+    }
+    fixedBy = fixedBy < 0 ? line : fixedBy;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool checkLine(Line& line, std::string_view place, FieldReader& fields) {
@@ -192,19 +211,8 @@ bool checkHoleAxesAgree(const Sketch& sketch, FieldReader& fields) {
   }
   for (const Run& run : arrange(sketch).runs) {
     for (const ArrangedEdge& edge : run.edges) {
-      int fixedBy = -1;
-      for (const int line : edge.lines) {
-        const std::optional<Axis>& axis = sketch.lines[at(line)].holeAxis;
-        if (!axis.has_value()) {
-          continue;
-        }
-        if (fixedBy >= 0 && axis != edge.holeAxis) {
-          return fields.fail(memberPlace(elementPlace("lines", at(line)), "holeAxis"),
-                             std::string(axisName(*axis)) + ", but line " +
-                                 std::to_string(fixedBy) + " overlaps it and says " +
-                                 std::string(axisName(*edge.holeAxis)) + "; expected the same");
-        }
-        fixedBy = fixedBy < 0 ? line : fixedBy;
+      if (!checkEdge(sketch, edge, fields)) {
+        return false;
       }
     }
   }

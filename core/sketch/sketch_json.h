@@ -26,7 +26,7 @@ inline constexpr double kLengthTolerance = 0.05;  //!< modules off a whole lengt
 //! stood. \param json The file's text, at most kMaxSketchBytes. \return The sketch, or
 //! kInvalidInput with one message that names the place and what would be right,
 //!         such as `lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5`.
-base::Result<Sketch> readSketch(std::string_view json);
+base::Result<Sketch> readSketch(std::string_view text);
 
 //! \brief Writes a sketch so that reading it gives the same sketch.
 std::string writeSketch(const Sketch& sketch);
