@@ -15,6 +15,9 @@ import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMaterials } from './bricks/brick-materials.ts';
 import type { DetailName } from './bricks/detail.ts';
 
+/** Attributes of a part's lines that all its batches share. */
+const SHARED = ['position', 'normal1', 'normal2'] as const;
+
 /** Whether bricks stand there or are only hinted at. */
 export type BatchStyle = 'solid' | 'ghost';
 
@@ -81,7 +84,7 @@ export class BrickBatch {
     }
     this.#detail = detail;
     this.#surface.geometry = geometry.surface;
-    this.#lines.geometry.dispose();
+    this.#disposeLines();
     this.#lines.geometry = new InstancedBufferGeometry();
     this.#fillLineGeometry();
   }
@@ -121,13 +124,21 @@ export class BrickBatch {
     this.#surface.removeFromParent();
     this.#lines.removeFromParent();
     this.#surface.dispose();
+    this.#disposeLines();
+  }
+
+  /** The lines' own geometry goes; the part's, which other batches share, stays. */
+  #disposeLines(): void {
+    for (const name of SHARED) {
+      this.#lines.geometry.deleteAttribute(name);
+    }
     this.#lines.geometry.dispose();
   }
 
   #fillLineGeometry(): void {
     const source = this.#library.get(this.partId, this.#detail)?.lines;
     const target = this.#lines.geometry;
-    for (const name of ['position', 'normal1', 'normal2']) {
+    for (const name of SHARED) {
       const attribute = source?.getAttribute(name);
       if (attribute) {
         target.setAttribute(name, attribute);

@@ -1,4 +1,4 @@
-import { Plane, Vector3 } from 'three';
+import { Plane, Vector2, Vector3 } from 'three';
 import { type Bounds, corners, sketchBounds, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
@@ -191,6 +191,16 @@ export class SceneView {
     this.#rig.centreOn(point);
   }
 
+  /** Turns about what is looked at: radians to the right and upwards. */
+  turn(azimuth: number, elevation: number): void {
+    this.#rig.turn(azimuth, elevation);
+  }
+
+  /** Goes nearer (factor below 1) or farther. */
+  zoom(factor: number): void {
+    this.#rig.zoom(factor);
+  }
+
   setProjection(projection: Projection): void {
     this.#rig.setProjection(projection);
     this.invalidate();
@@ -307,7 +317,7 @@ export class SceneView {
   };
 
   #draw(): void {
-    const { height } = this.#screen.size();
+    const { height } = this.#stage.renderer.getSize(new Vector2());
     const pixelsPerModule = height / this.#rig.viewHeight();
     const choice = chooseDetail(this.#model.partCount, pixelsPerModule);
     if (this.#model.setDetail(choice.detail)) {

@@ -78,6 +78,7 @@ export class BrickMaterials {
   setSection(plane: Plane | null): void {
     for (const material of this.#all()) {
       material.clippingPlanes = plane ? [plane] : null;
+      material.clipShadows = true;
       material.needsUpdate = true;
     }
     this.surface.side = plane ? DoubleSide : FrontSide;

@@ -1,9 +1,11 @@
-import { MOUSE, OrthographicCamera, PerspectiveCamera, TOUCH, Vector3 } from 'three';
+import { MOUSE, OrthographicCamera, PerspectiveCamera, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../model/vec.ts';
 import type { Navigation, Projection, StandardView } from '../view-types.ts';
 import { FIELD_OF_VIEW, fitPoints } from './fit-points.ts';
 
+/** Radians from straight up and down where turning by keys stops. */
+const POLE = 0.02;
 const MOVE_MILLISECONDS = 320;
 /** The far plane, and how near and far one may go, in modules. */
 const REACH = { near: 0.1, far: 4000, minDistance: 1.5, maxDistance: 1500 } as const;
@@ -123,8 +125,7 @@ export class CameraRig {
     if (this.#projection === 'orthographic') {
       return (this.#orthographic.top - this.#orthographic.bottom) / this.#orthographic.zoom;
     }
-    const away = this.#perspective.position.distanceTo(this.controls.target);
-    return 2 * away * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+    return this.#heightAt(this.#perspective.position.distanceTo(this.controls.target));
   }
 
   /** Looks from a direction (or the present one) so that all points are seen, as large as may be. */
@@ -133,7 +134,8 @@ export class CameraRig {
       ? new Vector3(...VIEW_DIRECTIONS[view]).normalize()
       : this.camera.position.clone().sub(this.controls.target).normalize();
     const { target, away } = fitPoints(points, direction, this.#aspect);
-    this.#moveTo(target, target.clone().addScaledVector(direction, away));
+    const eye = target.clone().addScaledVector(direction, away);
+    this.#moveTo(target, eye, this.#heightAt(away));
   }
 
   /** Looks from a standard direction at what is looked at now. */
@@ -142,6 +144,32 @@ export class CameraRig {
     const away = this.camera.position.distanceTo(this.controls.target);
     const target = this.controls.target.clone();
     this.#moveTo(target, target.clone().addScaledVector(direction, away));
+  }
+
+  /**
+   * Turns the eye about what is looked at, for keys and buttons.
+   * @param azimuth radians to the right.
+   * @param elevation radians upwards; stops short of the poles.
+   */
+  turn(azimuth: number, elevation: number): void {
+    const { target } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    const place = new Spherical().setFromVector3(new Vector3(offset.x, offset.z, -offset.y));
+    place.theta += azimuth;
+    place.phi = Math.min(Math.PI - POLE, Math.max(POLE, place.phi - elevation));
+    const turned = new Vector3().setFromSpherical(place);
+    offset.set(turned.x, -turned.z, turned.y);
+    this.#moveTo(target.clone(), target.clone().add(offset));
+  }
+
+  /** Goes nearer (factor below 1) or farther. */
+  zoom(factor: number): void {
+    const { target } = this.controls;
+    const offset = this.camera.position.clone().sub(target);
+    const away = (offset.length() * factor * this.viewHeight()) / this.#heightAt(offset.length());
+    const bounded = Math.min(REACH.maxDistance, Math.max(REACH.minDistance, away));
+    const eye = target.clone().add(offset.setLength(bounded));
+    this.#moveTo(target.clone(), eye, this.#heightAt(bounded));
   }
 
   /** Brings a point to the middle without turning. */
@@ -166,8 +194,13 @@ export class CameraRig {
     this.controls.dispose();
   }
 
-  #moveTo(target: Vector3, eye: Vector3): void {
-    const height = 2 * eye.distanceTo(target) * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+  /** Height of what the perspective camera sees at a distance, modules. */
+  #heightAt(distance: number): number {
+    return 2 * distance * Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
+  }
+
+  /** @param height of what is seen there, for the orthographic camera; as now when left out. */
+  #moveTo(target: Vector3, eye: Vector3, height = this.viewHeight()): void {
     this.#move = {
       fromEye: this.camera.position.clone(),
       fromTarget: this.controls.target.clone(),
@@ -210,6 +243,8 @@ export class CameraRig {
     }
     this.controls.target.copy(target);
     this.camera.position.copy(target).addScaledVector(direction.normalize(), away);
+    // At once, so that places on screen are right before the next frame too.
+    this.camera.lookAt(target);
     if (this.#projection === 'orthographic') {
       this.#orthographic.zoom = 1;
       this.#setOrthographicHeight(move.fromHeight + (move.toHeight - move.fromHeight) * t);

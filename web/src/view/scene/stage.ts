@@ -32,6 +32,7 @@ export class Stage {
   readonly #sky = new HemisphereLight(0xffffff, 0xb8b2a8, 0.7);
   readonly #fill = new DirectionalLight(0xdfe9ff, 0.5);
   #theme: ViewTheme = viewTheme('light');
+  #background: DataTexture | null = null;
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
@@ -58,6 +59,7 @@ export class Stage {
 
   /** Makes again what lives in the graphics memory alone; after a lost context. */
   restore(): void {
+    this.scene.environment?.dispose();
     this.scene.environment = studioEnvironment(this.renderer);
     this.scene.environmentIntensity = 0.8 * this.#theme.lightScale;
     this.shadowChanged();
@@ -65,7 +67,9 @@ export class Stage {
 
   setTheme(theme: ViewTheme): void {
     this.#theme = theme;
-    this.scene.background = gradient(theme.backgroundTop, theme.backgroundBottom);
+    this.#background?.dispose();
+    this.#background = gradient(theme.backgroundTop, theme.backgroundBottom);
+    this.scene.background = this.#background;
     this.scene.environmentIntensity = 0.8 * theme.lightScale;
     this.ground.setTheme(theme);
   }
@@ -99,6 +103,7 @@ export class Stage {
   dispose(): void {
     this.ground.dispose();
     this.scene.environment?.dispose();
+    this.#background?.dispose();
     this.#key.shadow.dispose();
     this.renderer.dispose();
   }
