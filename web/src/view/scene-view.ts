@@ -241,7 +241,7 @@ export class SceneView {
   pick(x: number, y: number, pointer: 'fine' | 'coarse' = 'fine'): Pick {
     const reach = pointer === 'coarse' ? REACH.coarse : 1;
     const at = { x, y };
-    const project = (point: Vec3): Projected => this.project(point);
+    const project = this.#screen.projector();
     const showsSketch = this.#mode !== 'model';
     const lines = showsSketch ? (this.#sketch.sketch?.lines ?? []) : [];
     const nodes = showsSketch ? this.#sketch.nodes : [];

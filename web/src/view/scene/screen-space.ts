@@ -43,14 +43,27 @@ export class ScreenSpace {
 
   /** Where a point of space is on screen. */
   project(point: Vec3): Projected {
+    return this.projector()(point);
+  }
+
+  /** project() for many points of one moment: the camera is asked once. */
+  projector(): (point: Vec3) => Projected {
     const camera = this.#camera();
     camera.updateMatrixWorld();
     const { width, height } = this.size();
-    const place = new Vector3(...point).project(camera);
-    return {
-      x: ((place.x + 1) / 2) * width,
-      y: ((1 - place.y) / 2) * height,
-      visible: place.z < 1 && place.z > -1,
+    const toClip = new Matrix4().multiplyMatrices(
+      camera.projectionMatrix,
+      camera.matrixWorldInverse,
+    );
+    const place = new Vector4();
+    return ([x, y, z]) => {
+      place.set(x, y, z, 1).applyMatrix4(toClip);
+      const scale = place.w > 0 ? 1 / place.w : 1;
+      return {
+        x: ((place.x * scale + 1) / 2) * width,
+        y: ((1 - place.y * scale) / 2) * height,
+        visible: place.w > 0 && Math.abs(place.z) <= place.w,
+      };
     };
   }
 }

@@ -31,8 +31,15 @@ const Y = new Vector3(0, 1, 0);
 export class SketchGlyphs {
   readonly group = new Group();
   readonly #owned: (BufferGeometry | Material)[] = [];
+  #shown: readonly unknown[] = [];
 
   set(sketch: SketchDocument | null, marks: SketchMarks, theme: ViewTheme): void {
+    const shown = [sketch, marks.selectedJoint ?? null, theme];
+    // Hovering over lines must not make all of this again.
+    if (shown.every((value, i) => value === this.#shown[i])) {
+      return;
+    }
+    this.#shown = shown;
     this.#clear();
     if (!sketch) {
       return;
