@@ -9,6 +9,8 @@ export interface Actions {
   /** Lines that were copied last. */
   clipboard: readonly SketchLine[];
   useTool(id: ToolId): void;
+  /** Gives the keys to the drawing. */
+  focusDrawing(): void;
   /** Puts an edit into the history. */
   edit(label: string, next: SketchDocument): void;
   undo(): void;

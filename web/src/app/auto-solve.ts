@@ -1,21 +1,30 @@
 import { effect } from '@preact/signals';
+import type { SketchDocument } from '../model/sketch.ts';
 import type { PageState } from './page-state.ts';
 import { isSmall, searchText } from './page-state.ts';
 
 /** A pause in the drawing after which a small sketch is solved. */
 const PAUSE_MS = 500;
 
+/** What starts and gives up a search. */
+export interface Search {
+  generate(): void;
+  drop(): void;
+  sketchUnderWay(): SketchDocument | null;
+}
+
 /**
- * Starts a search a moment after each edit of a small sketch. A search for an older sketch is given up.
+ * Starts a search a moment after each edit of a small sketch. A search that was started so is given up
+ * when the sketch changes; one that a person asked for goes on.
  * @returns what stops it.
  */
-export function solveAfterEdits(
-  state: PageState,
-  generate: () => void,
-  drop: () => void,
-): () => void {
+export function solveAfterEdits(state: PageState, search: Search): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let asked: string | null = null;
+  const underWay = () => {
+    const sketch = search.sketchUnderWay();
+    return sketch ? searchText(sketch) : null;
+  };
   const stop = effect(() => {
     const sketch = state.store.sketch.value;
     const { autoSolve } = state.preferences.value;
@@ -26,14 +35,16 @@ export function solveAfterEdits(
     if (wanted === asked || known) {
       return;
     }
-    if (asked !== null && state.solve.peek().phase === 'solving') {
-      drop();
+    if (asked !== null && underWay() === asked) {
+      search.drop();
     }
     asked = null;
     if (autoSolve && sketch.lines.length > 0 && isSmall(sketch)) {
       timer = setTimeout(() => {
-        asked = wanted;
-        generate();
+        if (underWay() !== wanted) {
+          asked = wanted;
+          search.generate();
+        }
       }, PAUSE_MS);
     }
   });

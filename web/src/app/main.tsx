@@ -73,8 +73,7 @@ async function openFirst(controller: PageController, kept: KeyValueStore): Promi
   const { state, toaster } = controller;
   const saved = await loadSaved(kept).catch(() => null);
   if (saved) {
-    state.store.restore(saved);
-    controller.fit();
+    controller.begin(saved);
   }
   const shared = await decodeShare(location.hash.slice(1));
   if (shared && !shared.ok) {
@@ -93,11 +92,10 @@ async function openFirst(controller: PageController, kept: KeyValueStore): Promi
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
   const first = state.examples.value[0];
   if (!saved && first) {
-    state.store.restore({
+    controller.begin({
       sketch: { ...first.sketch, name: first.title },
       history: { past: [], future: [] },
     });
-    controller.fit();
   }
 }
 
@@ -136,7 +134,12 @@ async function start(): Promise<void> {
     store.history.value;
     saver.save(store.save());
   });
-  solveAfterEdits(state, controller.generate, () => controller.run.drop());
+  solveAfterEdits(state, {
+    generate: controller.generate,
+    drop: () => controller.run.drop(),
+    sketchUnderWay: () => controller.run.sketchUnderWay,
+  });
+  controller.fitFirstModels();
   keepAddress(controller);
   state.examples.value ??= await loadExamples(fetchJson).catch(() => []);
 }

@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
@@ -6,7 +6,7 @@ import type { SolverClient } from '../solver/client.ts';
 import type { SolveSettings } from '../solver/protocol.ts';
 import { type Preferences, parseAdvanced } from '../state/preferences.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
-import type { SketchStore } from '../state/store.ts';
+import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
@@ -41,6 +41,8 @@ export class PageController implements Actions {
   readonly #client: SolverClient;
   readonly #tools: ReadonlyMap<ToolId, Tool>;
   clipboard: readonly SketchLine[] = [];
+  /** The sketch that came as a whole last, by a file, a link, an example or the last visit. */
+  #opened: SketchDocument | null = null;
 
   constructor(options: ControllerOptions) {
     const { store, preferences, catalogue, client } = options;
@@ -87,6 +89,8 @@ export class PageController implements Actions {
     this.announce(text.toolNames[id]);
   };
 
+  readonly focusDrawing = (): void => this.scene.focus();
+
   readonly edit = (label: string, next: SketchDocument): void => {
     this.state.store.commit(label, next);
     this.announce(label);
@@ -123,14 +127,23 @@ export class PageController implements Actions {
     this.run.clear();
     this.edit(text.edits.clear, emptySketch());
     this.useTool('line');
+    this.scene.focus();
     this.fit();
   };
+
+  /** The sketch that the page begins with; there is nothing to go back to. */
+  begin(saved: SavedSketch): void {
+    this.#opened = saved.sketch;
+    this.state.store.restore(saved);
+    this.fit();
+  }
 
   /** Puts another sketch on the page; undo brings the old one back. */
   replaceSketch(sketch: SketchDocument): void {
     this.state.tool.value.reset();
     this.run.clear();
     this.state.focusedProblem.value = null;
+    this.#opened = sketch;
     this.edit(text.edits.open, sketch);
     this.useTool('select');
     this.fit();
@@ -250,6 +263,19 @@ export class PageController implements Actions {
     // After the scene has taken the new sketch, which it does when the signals have settled.
     setTimeout(() => this.scene.view?.fit(), TURN_BACK_MS);
   };
+
+  /** The first model of a sketch is larger than its lines: the picture is fitted to it once. */
+  fitFirstModels(): void {
+    let fitted: SketchDocument | null = null;
+    effect(() => {
+      const shown = this.state.shown.value;
+      const opened = this.#opened;
+      if (shown?.report && opened && opened !== fitted) {
+        fitted = opened;
+        this.fit();
+      }
+    });
+  }
 
   readonly setView = (view: StandardView): void => {
     this.scene.view?.fit(view);

@@ -30,7 +30,7 @@ export class SolveRun {
   readonly #state = signal<SolveState>(IDLE);
   readonly #shown = signal<ShownModel | null>(null);
   #running: AbortController | null = null;
-  /** Told when a search ends with a model, so that other things may follow. */
+  #sketch: SketchDocument | null = null;
   readonly state: ReadonlySignal<SolveState> = this.#state;
   readonly shown: ReadonlySignal<ShownModel | null> = this.#shown;
 
@@ -43,6 +43,7 @@ export class SolveRun {
     this.#running?.abort();
     const run = new AbortController();
     this.#running = run;
+    this.#sketch = sketch;
     this.#state.value = { ...IDLE, phase: 'solving' };
     const onProgress = (progress: SolveProgress, json: string | null) => {
       if (this.#running === run) {
@@ -62,6 +63,11 @@ export class SolveRun {
         this.#end('failed', text.solve.failed);
       }
     }
+  }
+
+  /** The sketch of the search under way, or null. */
+  get sketchUnderWay(): SketchDocument | null {
+    return this.#running ? this.#sketch : null;
   }
 
   cancel(): void {

@@ -2,6 +2,7 @@ import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import type { PartRow, ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
+import { ProgressChart } from './progress-chart.tsx';
 import { ResultSection } from './result-section.tsx';
 import { SettingsSection } from './settings-section.tsx';
 import { SolveSection } from './solve-section.tsx';
@@ -30,9 +31,23 @@ export function Panel() {
         {shown?.final ? <Downloads /> : null}
         {shown?.final ? <Checks result={shown} /> : null}
         {shown?.final ? <Parts result={shown} /> : null}
+        <SearchChart />
         <SettingsSection />
       </div>
     </aside>
+  );
+}
+
+/** The course of the last search, for those who want to see it. */
+function SearchChart() {
+  const { chart, phase } = usePage().solve.value;
+  if (phase === 'solving' || chart.length < 2) {
+    return null;
+  }
+  return (
+    <Section title={text.solve.search}>
+      <ProgressChart points={chart} />
+    </Section>
   );
 }
 

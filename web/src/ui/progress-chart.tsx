@@ -1,3 +1,4 @@
+import { fillWords } from '../tools/tool-words.ts';
 import type { ChartPoint } from './page.ts';
 import { text } from './text.ts';
 
@@ -22,14 +23,15 @@ export function chartPath(points: readonly ChartPoint[]): string {
 }
 
 /** The objective over the steps of the search. */
-export function ProgressChart(props: {
-  readonly points: readonly ChartPoint[];
-  readonly label: string;
-}) {
+export function ProgressChart({ points }: { readonly points: readonly ChartPoint[] }) {
+  const label = fillWords(text.solve.chartText, {
+    from: (points[0]?.objective ?? 0).toFixed(2),
+    to: (points.at(-1)?.objective ?? 0).toFixed(2),
+  });
   return (
     <figure class="chart">
-      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={props.label}>
-        <path d={chartPath(props.points)} />
+      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
+        <path d={chartPath(points)} />
       </svg>
       <figcaption class="quiet">{text.solve.chart}</figcaption>
     </figure>

@@ -32,9 +32,8 @@ export function ResultSection() {
 
 function Verdict({ result, stale }: { readonly result: ResultState; readonly stale: boolean }) {
   const failed = result.items.filter((item) => !item.ok);
-  const why = fillWords(text.result.failedChecks, {
-    list: failed.map((item) => item.title.toLowerCase()).join('; '),
-  });
+  const list = failed.map((item) => item.title.toLowerCase()).join('; ');
+  const why = list === '' ? text.result.failedCount : fillWords(text.result.failedChecks, { list });
   const note = stale
     ? text.solve.stale
     : result.source === 'file'

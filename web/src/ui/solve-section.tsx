@@ -1,4 +1,3 @@
-import { fillWords } from '../tools/tool-words.ts';
 import { CommandButton } from './controls.tsx';
 import { usePage } from './page-context.ts';
 import { ProgressChart } from './progress-chart.tsx';
@@ -81,15 +80,7 @@ function SolveProgressView() {
           <Figure name={text.result.failedConnections} value={progress.failedConnections} />
         </dl>
       ) : null}
-      {chart.length > 1 ? (
-        <ProgressChart
-          points={chart}
-          label={fillWords(text.solve.chartText, {
-            from: (chart[0]?.objective ?? 0).toFixed(2),
-            to: (chart.at(-1)?.objective ?? 0).toFixed(2),
-          })}
-        />
-      ) : null}
+      {chart.length > 1 ? <ProgressChart points={chart} /> : null}
     </div>
   );
 }

@@ -19,8 +19,10 @@ export function Stage() {
         </p>
       ) : null}
       <SelectionBox />
-      <ToolOptions />
-      <Hint />
+      <div class="stage-top">
+        <ToolOptions />
+        <Hint />
+      </div>
       <ViewBar />
       {page.dropping.value ? (
         <div class="drop-veil">

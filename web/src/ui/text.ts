@@ -115,7 +115,7 @@ const EN = {
     keepOut: 'Keep-out box',
   },
   hints: {
-    select: 'Click a line to select it. Shift and drag to select by a box.',
+    select: 'Click a line to select it, drag to turn the view. Shift selects more.',
     line: 'Click a point to begin a line.',
     lineNext:
       'Click the next point, or type a length. X, Y, Z lock an axis, Tab turns the plane, Esc ends.',
@@ -201,6 +201,7 @@ const EN = {
     stale: 'The sketch has changed since this model was made.',
     failed: 'The solver stopped unexpectedly. The sketch is safe; try again.',
     chart: 'Objective over time',
+    search: 'Search',
     chartText: 'Objective from {from} to {to}',
     auto: 'Generate after each edit',
     autoOff: 'This sketch is large: press Generate when you are ready.',
@@ -210,6 +211,7 @@ const EN = {
     buildable: 'Buildable',
     buildableText: 'Every check passed.',
     failedChecks: 'Not met: {list}',
+    failedCount: 'See what is wrong below.',
     notBuildable: 'Not buildable yet',
     noModel: 'No model yet',
     noModelText: 'Draw lines and press Generate.',

@@ -47,7 +47,7 @@ export function ViewBar() {
         />
       </label>
       <label class="wide-only select-field">
-        <span class="visually-hidden">{text.view.colour}</span>
+        <span>{text.view.colour}</span>
         <select
           value={colourBy}
           disabled={noModel}

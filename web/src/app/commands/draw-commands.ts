@@ -36,7 +36,10 @@ export function drawCommands(actions: Actions): Command[] {
         icon,
         shortcut,
         checked: () => state.tool.value.id === id,
-        run: () => actions.useTool(id),
+        run: () => {
+          actions.useTool(id);
+          actions.focusDrawing();
+        },
       }),
     ),
     ...PLANES.map(
