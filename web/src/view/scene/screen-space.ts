@@ -1,9 +1,10 @@
 import {
+  Matrix4,
   type OrthographicCamera,
   type PerspectiveCamera,
   Raycaster,
   Vector2,
-  Vector3,
+  Vector4,
 } from 'three';
 import type { Vec3 } from '../../model/vec.ts';
 import type { Projected, Ray } from '../view-types.ts';
