@@ -94,7 +94,13 @@ describe('chooseDetail', () => {
     expect(chooseDetail(5000, 40).detail).toBe('low');
   });
 
+  it('draws lines fainter as one moves away', () => {
+    const strengths = [60, 20, 8, 3].map((pixels) => chooseDetail(300, pixels).lineOpacity);
+    expect([...strengths].sort((a, b) => b - a)).toEqual(strengths);
+    expect(new Set(strengths).size).toBe(4);
+  });
+
   it('leaves lines out where they would be denser than pixels', () => {
-    expect(chooseDetail(300, 3).lines).toBe(false);
+    expect(chooseDetail(300, 3).lineOpacity).toBe(0);
   });
 });

@@ -323,7 +323,8 @@ export class SceneView {
     if (this.#model.setDetail(choice.detail)) {
       this.#stage.shadowChanged();
     }
-    this.#model.setLinesVisible(choice.lines);
+    this.#model.setLinesVisible(choice.lineOpacity > 0);
+    this.#materials.setLineOpacity(choice.lineOpacity);
     this.#stage.renderer.render(this.#stage.scene, this.#rig.camera);
   }
 

@@ -30,9 +30,9 @@ void main() {
   bool smoothSurface = dot(normal1, normal1) > 0.5;
   // Pulled a little towards the eye, so that lines win against the surfaces that they lie on.
   if (isOrthographic) {
-    mvPosition.z += 0.02;
+    mvPosition.z += 0.012;
   } else {
-    mvPosition.xyz *= 0.9994;
+    mvPosition.xyz *= 0.99975;
   }
   gl_Position = projectionMatrix * mvPosition;
   if (smoothSurface && facesEye(normal1, toEye) == facesEye(normal2, toEye)) {
@@ -54,6 +54,9 @@ void main() {
 }
 `;
 
+/** Edges of ghosts, as a share of the others' opacity. */
+const GHOST_LINES = 0.2;
+
 /** The four materials that all bricks share. */
 export class BrickMaterials {
   readonly surface = new MeshStandardMaterial({
@@ -71,8 +74,14 @@ export class BrickMaterials {
     opacity: 0.1,
     depthWrite: false,
   });
-  readonly lines = lineMaterial(0.85);
-  readonly ghostLines = lineMaterial(0.16);
+  readonly lines = lineMaterial();
+  readonly ghostLines = lineMaterial();
+
+  /** @param opacity of the drawn edges, 0 to 1. */
+  setLineOpacity(opacity: number): void {
+    this.lines.uniforms['opacity'] = { value: opacity };
+    this.ghostLines.uniforms['opacity'] = { value: opacity * GHOST_LINES };
+  }
 
   /** Cuts everything on the far side of the plane away; null shows all. */
   setSection(plane: Plane | null): void {
@@ -95,11 +104,11 @@ export class BrickMaterials {
   }
 }
 
-function lineMaterial(opacity: number): ShaderMaterial {
+function lineMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: LINE_VERTEX,
     fragmentShader: LINE_FRAGMENT,
-    uniforms: { opacity: { value: opacity } },
+    uniforms: { opacity: { value: 1 } },
     transparent: true,
     depthWrite: false,
     clipping: true,
