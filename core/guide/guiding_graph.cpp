@@ -97,6 +97,7 @@ void addRuns(const sketch::Arrangement& arrangement, const std::vector<Segment>&
     run.direction = source.direction;
     run.nodes.assign(source.nodes.begin() + segment.first, source.nodes.begin() + segment.last + 1);
     run.axes = allowedAxes(source, segment);
+    run.principal = perpendicularAxes(source.direction).size() == 2;
     run.exact = source.edges[static_cast<std::size_t>(segment.first)].exact;
     run.piece = source.piece;
     graph->edges += run.edgeCount();
@@ -174,7 +175,7 @@ void addJunctions(GuidingGraph* graph) {
         junction.joint = static_cast<int>(j);
       }
     }
-    junction.bridgeable = !haveCommonAxis(*graph, junction);
+    junction.bridgeable = junction.joint < 0 && !haveCommonAxis(*graph, junction);
     const int id = static_cast<int>(graph->junctions.size());
     for (const Incidence& incidence : junction.incident) {
       graph->runs[static_cast<std::size_t>(incidence.run)].junctions.push_back(id);

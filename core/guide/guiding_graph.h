@@ -15,6 +15,7 @@ struct GuideRun {
   std::vector<int> nodes;                  //!< node ids; nodes.size() - 1 unit edges
   std::vector<lattice::Axis> axes;         //!< hole axes that a beam on it may have, at least one
   bool exact = false;                      //!< every beam must lie on the line (layer 0)
+  bool principal = false;                  //!< parallel to a principal axis
   int piece = 0;
   std::vector<int> junctions;              //!< junction ids, in order along the run
   std::vector<int> junctionIndices;        //!< their indices among `nodes`
@@ -34,7 +35,7 @@ struct Junction {
   int node = -1;
   std::vector<Incidence> incident;
   int joint = -1;                   //!< index of the joint here, or -1
-  bool bridgeable = false;          //!< no hole axis serves all its runs: a mechanism may bridge edges here
+  bool bridgeable = false;          //!< no hole axis serves all its runs, and no joint turns here
   std::vector<int> nearRuns;        //!< runs whose beams could stand near, the incident ones included
   std::vector<int> nearJunctions;   //!< junctions whose mechanisms could touch this one's
 };
@@ -60,6 +61,13 @@ struct GuidingGraph {
   int pieces = 0;
   int lines = 0;
 };
+
+//! \brief Whether a mechanism may bridge the edges of a run next to a junction instead of a beam: only where
+//! no single hole axis serves all runs, and only on principal lines, whose next node is on the junction's
+//! lattice, where mechanisms live.
+inline bool mayBridge(const GuideRun& run, const Junction& junction) {
+  return run.principal && junction.bridgeable;
+}
 
 //! \brief Farthest layer from its line that a beam may have.
 inline constexpr int kMaxLayer = 2;

@@ -31,7 +31,7 @@ double beamsOf(const GuidingGraph& graph, int runId) {
   std::vector<bool> bridged(run.nodes.size(), false);
   for (std::size_t j = 0; j < run.junctions.size(); ++j) {
     const Junction& junction = graph.junctions[at(run.junctions[j])];
-    bridged[at(run.junctionIndices[j])] = junction.bridgeable;
+    bridged[at(run.junctionIndices[j])] = mayBridge(run, junction);
   }
   const int fewest = fewestBeams(run, bridged);
   if (fewest > 1) {

@@ -89,6 +89,7 @@ class Search {
   void tryPlace(std::int32_t id, Cell at) {
     const OrientedMechanism& m = table_.oriented(id);
     Candidate candidate{{id, at}, 0, m.cost};
+    bool strangers = false;
     for (const MechanismCell& cell : m.shape.cells) {
       const Cell p = cell.at + at;
       if (!inBox(p)) {
@@ -109,14 +110,18 @@ class Search {
         candidate.cost += kDanglingCost;
         continue;
       }
-      if (hole->used || hole->axis != cell.axis || hole->terminal < 0) {
+      if (hole->used || hole->axis != cell.axis) {
         return;
+      }
+      if (hole->terminal < 0) {
+        strangers = true;   // a beam of a neighbouring junction is held too
+        continue;
       }
       const std::uint32_t bit = 1U << static_cast<unsigned>(hole->terminal);
       candidate.cost -= (candidate.terminals & bit) != 0U ? kExtraHoleBonus : 0.0;
       candidate.terminals |= bit;
     }
-    if (respectsJoint(m, at, candidate.terminals)) {
+    if (respectsJoint(m, at, candidate.terminals) && (!problem_.isJoint || !strangers)) {
       candidates_.push_back(candidate);
     }
   }

@@ -187,7 +187,20 @@ void Layout::saveJunction(int junction) {
   }
 }
 
+//! A junction that leans on a neighbour's mechanism must be solved again with it.
+void Layout::spreadStale() {
+  for (std::size_t i = 0; i < staleList_.size(); ++i) {
+    for (const int other : problem_->graph.junctions[at(staleList_[i])].nearJunctions) {
+      if (stale_[at(other)] == 0 && junctions_[at(other)].leans) {
+        stale_[at(other)] = 1;
+        staleList_.push_back(other);
+      }
+    }
+  }
+}
+
 void Layout::settle() {
+  spreadStale();
   std::sort(staleList_.begin(), staleList_.end());
   for (const int junction : staleList_) {
     saveJunction(junction);

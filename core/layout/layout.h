@@ -39,6 +39,7 @@ struct JunctionState {
   Connection connection;
   int gaps = 0;
   int overfull = 0;
+  bool leans = false;   //!< some of its beams are joined by a neighbouring junction's mechanism
 
   [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
 };
@@ -108,9 +109,10 @@ class Layout {
   [[nodiscard]] int forbiddenOf(int run, const Cover& cover) const;
   void changeCollisions(int run, int delta);
   void solveJunction(int junction);
-  void fillProblem(int junction);
+  bool fillProblem(int junction);
   void fillRun(const RunView& view);
-  void fillOthers(int junction);
+  bool fillOthers(int junction);
+  void spreadStale();
   void countStack(int junction, JunctionState* state) const;
   [[nodiscard]] bool plainStack(int junction, Connection* connection) const;
   [[nodiscard]] std::uint64_t signature(const RunView& view, const Cover& cover) const;

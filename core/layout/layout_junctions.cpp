@@ -40,6 +40,52 @@ bool pinnedInline(const guide::GuideRun& run, const Cover& cover, std::size_t b,
   return false;
 }
 
+//! One cell of a neighbouring junction's mechanism, on another lattice than the box's.
+void blockAround(LocalProblem* local, Vec3 p) {
+  const Cell low{static_cast<int>(std::floor(p.x)),
+                 static_cast<int>(std::floor(p.y)),
+                 static_cast<int>(std::floor(p.z))};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Cell c = low + Cell{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+    const Vec3 d = lattice::toVec3(c) - p;
+    if (inBox(c) && std::abs(d.x) < kApart && std::abs(d.y) < kApart && std::abs(d.z) < kApart) {
+      local->block(boxIndex(c));
+    }
+  }
+}
+
+//! Enters a neighbouring junction's mechanism; terminals whose holes it fills are joined already.
+bool enterMechanism(LocalProblem* local, const OrientedMechanism& m, const PlacedMechanism& placed,
+                    const JunctionView& other) {
+  int joined = -1;
+  bool leans = false;
+  for (const MechanismCell& cell : m.shape.cells) {
+    const Cell own = cell.at + placed.at;
+    if (!other.aligned) {
+      blockAround(local, lattice::toVec3(own) + other.offset);
+      continue;
+    }
+    const Cell p = own + other.shift;
+    if (!inBox(p)) {
+      continue;
+    }
+    if (!cell.head) {
+      local->block(boxIndex(p));
+      continue;
+    }
+    const LocalHole* hole = local->holeAt(boxIndex(p));
+    if (hole != nullptr && hole->terminal >= 0 && hole->axis == cell.axis && !local->isJoint) {
+      if (joined >= 0 && joined != hole->terminal) {
+        local->join(joined, hole->terminal);
+        leans = true;
+      }
+      joined = hole->terminal;
+    }
+    local->useHole(boxIndex(p));
+  }
+  return leans;
+}
+
 bool covers(const Beam& beam, int edge) { return beam.start <= edge && beam.last() >= edge + 1; }
 
 }  // namespace
@@ -120,34 +166,12 @@ void Layout::fillRun(const RunView& view) {
   }
 }
 
-void Layout::fillOthers(int junction) {
+bool Layout::fillOthers(int junction) {
   const LocalView& view = problem_->views[at(junction)];
+  bool leans = false;
   for (const JunctionView& other : view.junctions) {
     for (const PlacedMechanism& placed : junctions_[at(other.junction)].connection.mechanisms) {
-      for (const MechanismCell& cell : table().oriented(placed.oriented).shape.cells) {
-        const Cell own = cell.at + placed.at;
-        if (other.aligned) {
-          const Cell p = own + other.shift;
-          if (inBox(p) && cell.head) {
-            local_.useHole(boxIndex(p));
-          } else if (inBox(p)) {
-            local_.block(boxIndex(p));
-          }
-          continue;
-        }
-        const Vec3 p = lattice::toVec3(own) + other.offset;
-        const Cell low{static_cast<int>(std::floor(p.x)),
-                       static_cast<int>(std::floor(p.y)),
-                       static_cast<int>(std::floor(p.z))};
-        for (int corner = 0; corner < 8; ++corner) {
-          const Cell c = low + Cell{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
-          const Vec3 d = lattice::toVec3(c) - p;
-          if (inBox(c) && std::abs(d.x) < kApart && std::abs(d.y) < kApart &&
-              std::abs(d.z) < kApart) {
-            local_.block(boxIndex(c));
-          }
-        }
-      }
+      leans = enterMechanism(&local_, table().oriented(placed.oriented), placed, other) || leans;
     }
   }
   for (const int cell : view.forbidden) {
@@ -155,9 +179,10 @@ void Layout::fillOthers(int junction) {
       local_.block(cell);
     }
   }
+  return leans;
 }
 
-void Layout::fillProblem(int junction) {
+bool Layout::fillProblem(int junction) {
   const guide::Junction& guideJunction = problem_->graph.junctions[at(junction)];
   local_.clear();
   local_.terminals = static_cast<int>(localTerminals_.size());
@@ -169,7 +194,8 @@ void Layout::fillProblem(int junction) {
       }
     }
   }
-  fillOthers(junction);
+  local_.isJoint = guideJunction.joint >= 0;
+  const bool leans = fillOthers(junction);
   for (std::size_t a = 0; a < localTerminals_.size(); ++a) {
     for (std::size_t b = a + 1; b < localTerminals_.size(); ++b) {
       const auto [runA, beamA] = localTerminals_[a];
@@ -186,7 +212,6 @@ void Layout::fillProblem(int junction) {
   }
   if (guideJunction.joint >= 0) {
     const guide::GuideJoint& joint = problem_->graph.joints[at(guideJunction.joint)];
-    local_.isJoint = true;
     local_.jointAxis = joint.axis;
     for (std::size_t t = 0; t < localTerminals_.size(); ++t) {
       for (std::size_t g = 0; g < joint.runGroups.size(); ++g) {
@@ -197,6 +222,7 @@ void Layout::fillProblem(int junction) {
       }
     }
   }
+  return leans;
 }
 
 //! The usual case in a plane, without a search: all beams stacked without a gap, one pin through them.
@@ -257,7 +283,7 @@ void Layout::solveJunction(int junction) {
   if (localTerminals_.size() < 2 || plainStack(junction, &state.connection)) {
     return;
   }
-  fillProblem(junction);
+  state.leans = fillProblem(junction);
   state.connection = solver_->solve(local_);
 }
 

@@ -89,7 +89,7 @@ void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis ax
       }
     }
     const int node = guideRun.junctionIndices[j];
-    mixed_[at(node + 1)] = mixed && junction.bridgeable && junction.joint < 0 ? 1 : 0;
+    mixed_[at(node + 1)] = mixed && guide::mayBridge(guideRun, junction) ? 1 : 0;
     junctionPlaces_[at(node + 1)] = static_cast<int>(otherLayers_.size());
     otherLayers_.push_back(others);
     stackWeights_.push_back(layout.junctionWeights()[at(guideRun.junctions[j])]);
@@ -240,7 +240,11 @@ void RunCoverer::extendFrom(int last, int layer) {
   if (value_[at(state)] >= kNever || last >= edges_) {
     return;
   }
-  for (int shared = 1; shared <= kMostOverlap && last - shared + 1 >= 0; ++shared) {
+  // The beam after next may be on this layer again: it must not reach back to the beam before.
+  const int previous = choice_[at(state)].previous;
+  const int fresh = previous < 0 ? kMostOverlap : last - (previous / kLayerCount - 1);
+  const int most = std::min({kMostOverlap, fresh, last + 1});
+  for (int shared = 1; shared <= most; ++shared) {
     relax(state, last - shared + 1, layer, last - shared + 1);
   }
   const bool here = last >= 0 && mixed_[at(last + 1)] != 0;
