@@ -32,6 +32,9 @@ class Collisions {
   explicit Collisions(const Scene& scene) : scene_(scene) {
     for (const model::Connection& c : scene.connections) {
       seated_.insert({c.male, c.maleFeature, c.maleSlot, c.female});
+      if (!isGood(c.fit)) {
+        badlySeated_.insert({c.male, c.female});
+      }
     }
   }
 
@@ -61,7 +64,8 @@ class Collisions {
     }
     return (s.kind == Kind::kHead && seatedIn(a, s, b)) ||
            (t.kind == Kind::kHead && seatedIn(b, t, a)) ||
-           (s.kind == Kind::kCollar && inRim(s, b)) || (t.kind == Kind::kCollar && inRim(t, a));
+           (s.kind == Kind::kCollar && collarFits(a, s, b)) ||
+           (t.kind == Kind::kCollar && collarFits(b, t, a));
   }
 
   [[nodiscard]] bool seatedIn(int part, const Shape& head, int other) const {
@@ -79,6 +83,12 @@ class Collisions {
     }
     return std::any_of(
         ofA.begin(), ofA.end(), [&](const HoleSlot& hole) { return ofB.count(hole) > 0; });
+  }
+
+  //! A head in a hole that does not take it is an error of item 3, and its collar is not told
+  //! again.
+  [[nodiscard]] bool collarFits(int part, const Shape& collar, int other) const {
+    return badlySeated_.count({part, other}) > 0 || inRim(collar, other);
   }
 
   //! Whether a collar lies in the rim of one of the other part's pin holes.
@@ -113,6 +123,7 @@ class Collisions {
 
   const Scene& scene_;
   std::set<HeadInPart> seated_;
+  std::set<std::pair<int, int>> badlySeated_;  // (part with the head, part with the hole)
 };
 
 //! Pairs of parts whose boxes meet, smaller index first, by a sweep along x.

@@ -210,7 +210,19 @@ const std::vector<BadCase>& badCases() {
        "coverage ",
        "uncovered",
        [] {
-         return withSketch(R"(,"ground":0,"lines":[{"from":[0,0,0],"to":[0,8,0],"exact":true}])");
+         return changed(squareFrame(), [](Model& m) {
+           const std::string last = R"("to":[0,8,0])";
+           m.sketchJson.insert(m.sketchJson.rfind(last) + last.size(), R"(,"exact":true)");
+         });
+       }},
+      {"BeamWithTheWrongHoleAxis",
+       "coverage ",
+       "uncovered",
+       [] {
+         return changed(squareFrame(), [](Model& m) {
+           const std::string last = R"("to":[0,8,0])";
+           m.sketchJson.insert(m.sketchJson.rfind(last) + last.size(), R"(,"holeAxis":"x")");
+         });
        }},
       {"UnreadableSketch",
        "coverage ",
@@ -230,8 +242,8 @@ TEST_P(BadModel, FailsExactlyTheIntendedItem) {
   EXPECT_EQ(report.problems.front().kind, GetParam().problemKind) << messages(report);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, BadModel, ::testing::ValuesIn(badCases()), [](const auto& info) {
-  return std::string(info.param.what);
+INSTANTIATE_TEST_SUITE_P(All, BadModel, ::testing::ValuesIn(badCases()), [](const auto& bad) {
+  return std::string(bad.param.what);
 });
 
 TEST(Check, NamesThePlaceAndThePartsOfACollision) {

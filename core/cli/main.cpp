@@ -1,0 +1,70 @@
+// The command `liftarm` (DESIGN 4).
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/solve_command.h"
+
+namespace {
+
+using liftarm::cli::ExitCode;
+
+constexpr const char* kAbout =
+    "Liftarm turns a 3D line sketch into a Technic model that can be built.\n"
+    "Exit codes: 0 buildable, 1 input refused (one line on standard error), 2 not buildable.\n"
+    "LEGO is a trademark of the LEGO Group, which does not sponsor or endorse this.";
+
+void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
+  CLI::App* solve = app.add_subcommand(
+      "solve",
+      "Solve a sketch: write DIR/NAME.model.json, NAME.mpd, NAME.parts.csv and print a report");
+  solve->set_help_flag("-h,--help", "Print this help and exit");
+  solve->add_option("SKETCH", options.sketchPath, "Sketch file (JSON)")->required();
+  solve->add_option("-o,--output", options.folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  solve->add_flag("--no-files", options.quiet, "Print the report only");
+  solve->add_option("--seed", options.seed, "Seed of the search, a whole number")->type_name("N");
+  solve->add_option("--preset", options.preset, "faithful, simple, faithful-rigid or simple-rigid")
+      ->type_name("NAME");
+  solve->add_option("--method", options.method, "How to search; default unless you compare methods")
+      ->type_name("NAME");
+  solve
+      ->add_option("--set",
+                   options.settings,
+                   "One setting, such as effort=2 or weights.beams=3; a wrong key lists all")
+      ->type_name("key=value")
+      ->allow_extra_args(false);
+  solve->add_flag("--json", options.json, "Print the report as one JSON object");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(kAbout, "liftarm");
+  // Help of the whole command shows the options of its verbs too.
+  app.set_help_flag();
+  app.set_help_all_flag("-h,--help", "Print this help and exit");
+  app.require_subcommand(1);
+  liftarm::cli::SolveOptions options;
+  addSolve(app, options);
+
+  std::string modelPath;
+  bool checkJson = false;
+  CLI::App* check = app.add_subcommand("check", "Repeat every check on a model file (DESIGN 5)");
+  check->set_help_flag("-h,--help", "Print this help and exit");
+  check->add_option("MODEL", modelPath, "Model file (NAME.model.json)")->required();
+  check->add_flag("--json", checkJson, "Print the answer as one JSON object");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);  // --help
+  } catch (const CLI::ParseError& error) {
+    return static_cast<int>(
+        liftarm::cli::refuse(std::string(error.what()) + "; liftarm --help tells all"));
+  }
+  return static_cast<int>(check->parsed() ? liftarm::cli::checkCommand(modelPath, checkJson)
+                                          : liftarm::cli::solveCommand(options));
+}

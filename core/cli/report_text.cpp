@@ -1,0 +1,80 @@
+#include "cli/report_text.h"
+
+#include <array>
+#include <cstddef>
+
+namespace liftarm::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t kMaxProblems = 20;
+
+//! The numbers that are worth a line, with the words around them.
+struct Row {
+  const char* key;
+  const char* label;
+  const char* unit;
+};
+
+constexpr std::array<Row, 12> kRows{{{"seed", "seed", ""},
+                                     {"lines", "lines", ""},
+                                     {"length", "length", " modules"},
+                                     {"beams", "beams", ""},
+                                     {"beamsLowerBound", "lower bound of beams", ""},
+                                     {"bricks", "bricks", ""},
+                                     {"gaps", "gaps", ""},
+                                     {"collisions", "collisions", ""},
+                                     {"uncovered", "uncovered", ""},
+                                     {"failedConnections", "failed connections", ""},
+                                     {"mass", "mass", " g"},
+                                     {"iterations", "iterations", ""}}};
+
+std::string textOf(const ordered_json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string itemsText(const ordered_json& items) {
+  std::string text;
+  for (const ordered_json& item : items) {
+    text += std::string(item.value("ok", false) ? "  ok    " : "  FAILS ") +
+            item.value("title", "") + " (" + item.value("detail", "") + ")\n";
+  }
+  return text;
+}
+
+std::string problemsText(const ordered_json& problems) {
+  std::string text;
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    if (i == kMaxProblems) {
+      return text + "  ... and " + std::to_string(problems.size() - i) + " more\n";
+    }
+    text += "  " + problems[i].value("kind", "") + ": " + problems[i].value("message", "") + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string reportText(const ordered_json& report) {
+  std::string text = report.value("name", "") +
+                     (report.value("buildable", false) ? ": buildable\n" : ": NOT buildable\n");
+  for (const Row& row : kRows) {
+    if (report.contains(row.key)) {
+      text += "  " + std::string(row.label) + ": " + textOf(report.at(row.key)) + row.unit + "\n";
+    }
+  }
+  if (report.contains("seconds")) {
+    text += "  seconds: " + report.at("seconds").at("total").dump() + "\n";
+  }
+  if (report.contains("items")) {
+    text += itemsText(report.at("items"));
+  }
+  if (report.contains("problems") && !report.at("problems").empty()) {
+    text += "problems:\n" + problemsText(report.at("problems"));
+  }
+  return text;
+}
+
+}  // namespace liftarm::cli

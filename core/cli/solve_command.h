@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace liftarm::cli {
+
+//! What the command returns to the shell (DESIGN 4).
+enum class ExitCode : int { kBuildable = 0, kRefused = 1, kNotBuildable = 2 };
+
+//! \brief Options of `liftarm solve`, as given.
+struct SolveOptions {
+  std::string sketchPath;
+  std::string folder = ".";
+  std::string seed;  //!< empty: the default
+  std::string preset;
+  std::string method;
+  std::vector<std::string> settings;  //!< "key=value"
+  bool json = false;
+  bool quiet = false;  //!< no files
+};
+
+//! \brief Solves a sketch, writes NAME.model.json, NAME.mpd and NAME.parts.csv, prints the report.
+//! Messages about refused input go to standard error, one line.
+ExitCode solveCommand(const SolveOptions& options);
+
+//! \brief Checks a model file and prints the answer.
+ExitCode checkCommand(const std::string& modelPath, bool json);
+
+//! \brief Prints one line on standard error. \return kRefused, so that a caller can return it.
+ExitCode refuse(const std::string& message);
+
+}  // namespace liftarm::cli

@@ -1,0 +1,133 @@
+#include "exporters/ldraw.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/helpers/ldraw_geometry.h"
+#include "core/helpers/models.h"
+#include "core/helpers/shared_data.h"
+#include "exporters/parts_list.h"
+
+namespace liftarm::exporters {
+namespace {
+
+using lattice::Vec3;
+
+struct LdrawLine {
+  int color = 0;
+  std::array<double, 12> numbers{};
+  std::string file;
+};
+
+std::vector<LdrawLine> partLines(const std::string& text) {
+  std::vector<LdrawLine> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream fields(line);
+    int type = 0;
+    LdrawLine parsed;
+    if (fields >> type && type == 1) {
+      fields >> parsed.color;
+      for (double& number : parsed.numbers) {
+        fields >> number;
+      }
+      fields >> parsed.file;
+      lines.push_back(parsed);
+    }
+  }
+  return lines;
+}
+
+std::string written(const model::Model& model) {
+  return writeLdraw(model, parts::Catalogue::builtIn());
+}
+
+//! Where LDraw puts a point of its part frame, LDU.
+Vec3 placedByLdraw(const LdrawLine& line, Vec3 p) {
+  const auto& n = line.numbers;
+  return {n[0] + n[3] * p.x + n[4] * p.y + n[5] * p.z,
+          n[1] + n[6] * p.x + n[7] * p.y + n[8] * p.z,
+          n[2] + n[9] * p.x + n[10] * p.y + n[11] * p.z};
+}
+
+Vec3 toLdraw(Vec3 ours) {
+  return {20 * ours.x, -20 * ours.z, 20 * ours.y};
+}
+
+TEST(Ldraw, WritesOneLineForEveryPart) {
+  for (const model::Model& model : testing::buildableModels()) {
+    EXPECT_EQ(partLines(written(model)).size(), model.parts.size());
+  }
+}
+
+TEST(Ldraw, MatricesAreProperRotations) {
+  for (const model::Model& model : testing::buildableModels()) {
+    for (const LdrawLine& line : partLines(written(model))) {
+      const auto& n = line.numbers;
+      const Vec3 x{n[3], n[6], n[9]};
+      const Vec3 y{n[4], n[7], n[10]};
+      const Vec3 z{n[5], n[8], n[11]};
+      EXPECT_NEAR(lattice::dot(x, x), 1.0, 1e-5);
+      EXPECT_NEAR(lattice::dot(y, y), 1.0, 1e-5);
+      EXPECT_LT(lattice::length(lattice::cross(x, y) - z), 1e-5);
+    }
+  }
+}
+
+TEST(Ldraw, EveryFeatureLandsWhereTheModelHasIt) {
+  for (const model::Model& model : testing::buildableModels()) {
+    const std::vector<LdrawLine> lines = partLines(written(model));
+    for (const model::PlacedPart& placed : model.parts) {
+      const parts::Part& part = *parts::Catalogue::builtIn().find(placed.part);
+      bool found = false;
+      for (const LdrawLine& line : lines) {
+        double worst = line.file == placed.part + ".dat" ? 0.0 : 1e9;
+        for (const parts::Feature& feature : part.features) {
+          const Vec3 expected = toLdraw(placed.pose.apply(feature.center));
+          const Vec3 got = placedByLdraw(line, toLdraw(feature.center));
+          worst = std::max(worst, lattice::length(got - expected));
+        }
+        found = found || worst < 1e-3;
+      }
+      EXPECT_TRUE(found) << model.name << " " << placed.part;
+    }
+  }
+}
+
+TEST(Ldraw, EveryPartOfTheCatalogueIsInTheLibrary) {
+  LIFTARM_NEED_SHARED_DATA();
+  for (const parts::Part& part : parts::Catalogue::builtIn().parts()) {
+    EXPECT_TRUE(testing::readSharedFile("ldraw/parts/" + part.id + ".dat").has_value()) << part.id;
+  }
+}
+
+TEST(Ldraw, StepsGoUpwards) {
+  const std::string text = written(testing::squareFrame());
+  EXPECT_EQ(text.find("0 FILE Square.ldr\n"), 0U);
+  EXPECT_GT(text.find("0 STEP"), text.find("1 "));
+  // LDraw's y points down: no step may begin above the one after it.
+  double last = 1e9;
+  for (const LdrawLine& line : partLines(text)) {
+    EXPECT_LE(line.numbers[1], last + 20.0);
+    last = line.numbers[1];
+  }
+}
+
+TEST(Ldraw, ANameCannotBreakTheFile) {
+  model::Model model = testing::squareFrame();
+  model.name = "a\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 3001.dat\r";
+  EXPECT_EQ(partLines(written(model)).size(), model.parts.size());
+}
+
+TEST(PartsList, CountsPartsByNumberAndColour) {
+  EXPECT_EQ(writePartsCsv(testing::squareFrame()), "Part,Color,Quantity\n2780,71,4\n40490,71,4\n");
+}
+
+}  // namespace
+}  // namespace liftarm::exporters
