@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, openEmpty, openPage, savedSketch, test } from './helpers/test.ts';
+import { expect, openEmpty, openPage, savedSketch, settled, test } from './helpers/test.ts';
 
 const GOOD = JSON.stringify({
   format: 'technic-sketch',
@@ -32,6 +32,8 @@ const BAD: readonly (readonly [string, string, RegExp])[] = [
 ];
 
 async function open(page: Page, name: string, content: string): Promise<void> {
+  // The browser opens its dialog only a short while after the key.
+  await settled(page);
   const [chooser] = await Promise.all([
     page.waitForEvent('filechooser'),
     page.keyboard.press('Control+o'),
