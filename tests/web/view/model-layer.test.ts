@@ -4,7 +4,7 @@ import type { Model, PlacedPart } from '../../../web/src/model/model.ts';
 import { IDENTITY, type Vec3 } from '../../../web/src/model/vec.ts';
 import { BrickLibrary } from '../../../web/src/view/bricks/brick-library.ts';
 import { BrickMaterials } from '../../../web/src/view/bricks/brick-materials.ts';
-import { chooseDetail } from '../../../web/src/view/level-of-detail.ts';
+import { chooseDetail, TRIANGLE_BUDGET } from '../../../web/src/view/level-of-detail.ts';
 import { ModelLayer } from '../../../web/src/view/model-layer.ts';
 import { catalogue } from './helpers/catalogue.ts';
 
@@ -72,35 +72,51 @@ describe('ModelLayer', () => {
     expect(layer.bounds).toBeNull();
   });
 
-  it('stays below two million triangles with a thousand beams and pins in high detail', () => {
-    const mix = ['32524', '2780', '32316', '6558', '2780'];
-    const parts = Array.from({ length: 1000 }, (_, i) => placed(mix[i % 5] ?? '2780', [i, 0, 0]));
-    layer.setModel({ name: 'large', parts });
-    const triangles = surfaces(layer).reduce(
-      (sum, mesh) => sum + (mesh.count * (mesh.geometry.index?.count ?? 0)) / 3,
-      0,
+  it.each([
+    ['beams and pins', ['32524', '2780', '32316', '6558', '2780']],
+    ['long beams alone', ['32278']],
+    ['connectors alone', ['55615', '48989']],
+  ])('stays within the budget with a thousand parts at any size (%s)', (_, mix) => {
+    const parts = Array.from({ length: 1000 }, (_unused, i) =>
+      placed(mix[i % mix.length] ?? '2780', [i, 0, 0]),
     );
-    expect(triangles).toBeLessThan(2e6);
+    layer.setModel({ name: 'large', parts });
+    for (const pixels of [300, 60, 15, 5]) {
+      layer.setDetail(chooseDetail(pixels, (detail) => layer.trianglesAt(detail)).detail);
+      const drawn = surfaces(layer).reduce(
+        (sum, mesh) => sum + (mesh.count * (mesh.geometry.index?.count ?? 0)) / 3,
+        0,
+      );
+      expect(drawn).toBeLessThanOrEqual(TRIANGLE_BUDGET);
+    }
   });
 });
 
 describe('chooseDetail', () => {
+  const cheap = (): number => 1000;
+
   it('grows coarser as one moves away', () => {
-    const names = [200, 40, 12, 3].map((pixels) => chooseDetail(300, pixels).detail);
+    const names = [200, 40, 12, 3].map((pixels) => chooseDetail(pixels, cheap).detail);
     expect(names).toEqual(['ultra', 'high', 'medium', 'low']);
   });
 
-  it('draws very large models coarser', () => {
-    expect(chooseDetail(5000, 40).detail).toBe('low');
+  it('takes the finest level that the budget allows', () => {
+    const costs = { ultra: 4, high: 2, medium: 1, low: 0.5 };
+    const choice = chooseDetail(200, (detail) => costs[detail] * 0.6 * TRIANGLE_BUDGET);
+    expect(choice.detail).toBe('medium');
+  });
+
+  it('draws a model that no level makes cheap enough at the coarsest', () => {
+    expect(chooseDetail(200, () => 10 * TRIANGLE_BUDGET).detail).toBe('low');
   });
 
   it('draws lines fainter as one moves away', () => {
-    const strengths = [60, 20, 8, 3].map((pixels) => chooseDetail(300, pixels).lineOpacity);
+    const strengths = [60, 20, 8, 3].map((pixels) => chooseDetail(pixels, cheap).lineOpacity);
     expect([...strengths].sort((a, b) => b - a)).toEqual(strengths);
     expect(new Set(strengths).size).toBe(4);
   });
 
   it('leaves lines out where they would be denser than pixels', () => {
-    expect(chooseDetail(300, 3).lineOpacity).toBe(0);
+    expect(chooseDetail(3, cheap).lineOpacity).toBe(0);
   });
 });

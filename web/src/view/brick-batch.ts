@@ -77,6 +77,12 @@ export class BrickBatch {
     group.add(this.#surface, this.#lines);
   }
 
+  /** Triangles of all members together at a level of detail. */
+  trianglesAt(detail: DetailName): number {
+    const indices = this.#library.get(this.partId, detail)?.mesh.indices.length ?? 0;
+    return (indices / 3) * this.members.length;
+  }
+
   setDetail(detail: DetailName): void {
     const geometry = this.#library.get(this.partId, detail);
     if (detail === this.#detail || !geometry) {

@@ -15,21 +15,27 @@ function edgeOpacity(pixelsPerModule: number): number {
   return EDGES.strength * Math.sqrt(Math.min(1, Math.max(0, share)));
 }
 
+/** Triangles of all bricks together that a laptop draws at its full frame rate. */
+export const TRIANGLE_BUDGET = 1_900_000;
+
+const FROM_FINE_TO_COARSE: readonly DetailName[] = ['ultra', 'high', 'medium', 'low'];
+
+/** Pixels per module from which a level shows more than the next coarser one. */
+const WORTH_IT: Readonly<Record<DetailName, number>> = { ultra: 110, high: 22, medium: 9, low: 0 };
+
 /**
- * Level of detail for all bricks: by their size on screen, and coarser for very many of them.
- * @param partCount bricks in the model.
+ * Level of detail for all bricks: the finest that can be seen at their size and that stays within
+ * the budget of triangles.
  * @param pixelsPerModule CSS pixels that one module takes at what is looked at.
+ * @param trianglesAt triangles of the whole model at a level; asked from fine to coarse.
  */
-export function chooseDetail(partCount: number, pixelsPerModule: number): DetailChoice {
-  const lineOpacity = edgeOpacity(pixelsPerModule);
-  if (pixelsPerModule >= 110 && partCount <= 400) {
-    return { detail: 'ultra', lineOpacity };
-  }
-  if (pixelsPerModule >= 22 && partCount <= 1200) {
-    return { detail: 'high', lineOpacity };
-  }
-  if (pixelsPerModule >= 9 && partCount <= 3000) {
-    return { detail: 'medium', lineOpacity };
-  }
-  return { detail: 'low', lineOpacity };
+export function chooseDetail(
+  pixelsPerModule: number,
+  trianglesAt: (detail: DetailName) => number,
+): DetailChoice {
+  const detail =
+    FROM_FINE_TO_COARSE.find(
+      (name) => pixelsPerModule >= WORTH_IT[name] && trianglesAt(name) <= TRIANGLE_BUDGET,
+    ) ?? 'low';
+  return { detail, lineOpacity: edgeOpacity(pixelsPerModule) };
 }

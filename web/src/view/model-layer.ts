@@ -27,6 +27,7 @@ export class ModelLayer {
   readonly #materials: BrickMaterials;
   #model: Model | null = null;
   #batches: BrickBatch[] = [];
+  readonly #triangles = new Map<DetailName, number>();
   #bounds: Bounds | null = null;
   #detail: DetailName = 'high';
   #scheme: ColourScheme = 'part';
@@ -55,8 +56,15 @@ export class ModelLayer {
     return model ? modelCorners(this.#explodedModel(model), this.#library.catalogue) : [];
   }
 
-  get partCount(): number {
-    return this.#model?.parts.length ?? 0;
+  /** Triangles of all bricks shown, at a level of detail. */
+  trianglesAt(detail: DetailName): number {
+    const known = this.#triangles.get(detail);
+    if (known !== undefined) {
+      return known;
+    }
+    const sum = this.#batches.reduce((total, batch) => total + batch.trianglesAt(detail), 0);
+    this.#triangles.set(detail, sum);
+    return sum;
   }
 
   setModel(model: Model | null): void {
@@ -138,6 +146,7 @@ export class ModelLayer {
       batch.dispose();
     }
     this.#batches = [];
+    this.#triangles.clear();
   }
 
   #rebuild(): void {

@@ -319,7 +319,7 @@ export class SceneView {
   #draw(): void {
     const { height } = this.#stage.renderer.getSize(new Vector2());
     const pixelsPerModule = height / this.#rig.viewHeight();
-    const choice = chooseDetail(this.#model.partCount, pixelsPerModule);
+    const choice = chooseDetail(pixelsPerModule, (detail) => this.#model.trianglesAt(detail));
     if (this.#model.setDetail(choice.detail)) {
       this.#stage.shadowChanged();
     }
