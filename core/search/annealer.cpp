@@ -13,6 +13,8 @@ constexpr double kPickViolation = 0.75;   // share of moves at a violated place 
 constexpr double kPickNear = 0.15;        // of these: at a run that passes near, not one that is met
 constexpr double kPickAxis = 0.12;        // share of moves that turn the run's hole axis
 constexpr double kPickTwo = 0.35;         // share of moves that cover two runs anew
+constexpr double kPickMany = 0.2;       // share of moves that clear several runs first, while violated
+constexpr std::uint32_t kMostMany = 4;
 constexpr double kMostNoise = 9.0;
 constexpr std::uint64_t kPatience = 150;  // moves without a change of violations before weights rise
 
@@ -135,6 +137,7 @@ void Annealer::keepBest() {
 //! A run at a violated place, if there is one and the dice say so; else any run.
 int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
+  site_ = -1;
   if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
     return static_cast<int>(rng_.below(runs));
   }
@@ -158,7 +161,8 @@ int Annealer::pickRun() {
   if (pick >= junctions) {
     return sites_[pick];
   }
-  const guide::Junction& junction = problem_->graph.junctions[at(sites_[pick])];
+  site_ = sites_[pick];
+  const guide::Junction& junction = problem_->graph.junctions[at(site_)];
   if (rng_.unit() < kPickNear) {
     return junction.nearRuns[rng_.below(static_cast<std::uint32_t>(junction.nearRuns.size()))];
   }
@@ -192,11 +196,48 @@ bool Annealer::recover(int run, double noise) {
   return true;
 }
 
+//! Ruin and recreate: clears the run and some that meet or pass near it, then covers them one by one in a
+//! random order. What one run alone cannot do, since its neighbours stand in the way, several can.
+bool Annealer::recoverMany(int run, double noise) {
+  std::vector<int> cleared{run};
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  const std::uint32_t wanted = 1 + rng_.below(kMostMany);
+  for (std::uint32_t i = 0; i < wanted; ++i) {
+    int other = pickPartner(run);
+    if (site_ >= 0 && rng_.below(2) == 0) {
+      const std::vector<int>& near = problem_->graph.junctions[at(site_)].nearRuns;
+      other = near[rng_.below(static_cast<std::uint32_t>(near.size()))];
+    } else if (other < 0 && !guideRun.near.empty()) {
+      other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
+    }
+    if (other >= 0 && std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
+      cleared.push_back(other);
+    }
+  }
+  std::vector<layout::Cover> before;
+  for (const int r : cleared) {
+    before.push_back(layout_.run(r).cover);
+    layout_.setCover(r, {layout_.run(r).cover.axis, {}});
+  }
+  for (std::size_t i = cleared.size(); i > 1; --i) {
+    const std::size_t j = rng_.below(static_cast<std::uint32_t>(i));
+    std::swap(cleared[i - 1], cleared[j]);
+    std::swap(before[i - 1], before[j]);
+  }
+  for (std::size_t i = 0; i < cleared.size(); ++i) {
+    if (!recover(cleared[i], noise)) {
+      layout_.setCover(cleared[i], before[i]);
+    }
+  }
+  return true;
+}
+
 void Annealer::move() {
   const int run = pickRun();
   const double noise = kMostNoise * rng_.unit();
-  bool changed = recover(run, noise);
-  if (rng_.unit() < kPickTwo) {
+  const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
+  bool changed = many ? recoverMany(run, noise) : recover(run, noise);
+  if (!many && rng_.unit() < kPickTwo) {
     const int partner = pickPartner(run);
     changed = (partner >= 0 && recover(partner, noise)) || changed;
   }

@@ -62,6 +62,7 @@ class Annealer {
   [[nodiscard]] int pickRun();
   [[nodiscard]] int pickPartner(int run);
   bool recover(int run, double noise);
+  bool recoverMany(int run, double noise);
   [[nodiscard]] double energy() const;
   [[nodiscard]] double plainEnergy() const;
   void raiseWeights();
@@ -87,6 +88,7 @@ class Annealer {
   objective::Weights softWeights_{};       // options_.weights without the hard conditions
   double violationWeight_ = 0.0;
   std::vector<int> sites_;
+  int site_ = -1;   // violated junction that the last pick came from
 };
 
 }  // namespace liftarm::search
