@@ -1,7 +1,8 @@
 // What the public facts do not hold about our parts: class, colour, friction, measured mass and the
 // simplified solid. Lengths are LDU in LDraw's own frame (20 LDU = 1 module, -Y up).
 // A body is a list of stadium prisms [from, to, axis, radius, halfThickness]; the tubes around holes and the
-// arms of beams are made from the facts. tests/core/parts holds them against the voxels of the real parts.
+// arms of beams are made from the facts. Middle lines lie on whole cells wherever the part does: the search
+// takes its cells from them. tests/core/parts holds them against the voxels of the real parts.
 
 const X = [1, 0, 0];
 const Y = [0, 1, 0];
@@ -183,7 +184,7 @@ const PINS = {
   32054: frictionPin(RED),
   87082: frictionPin(LIGHT, { mass: 0.35, body: [disc(O, X, PIN_ROOT, 10)] }),
   44874: frictionPin(LIGHT, { body: [disc(O, X, PIN_ROOT, 10)] }),
-  15100: frictionPin(BLACK, { mass: 0.26, body: [disc([5, 0, 0], X, PIN_ROOT, 5)] }),
+  15100: frictionPin(BLACK, { mass: 0.26, body: [disc(O, X, PIN_ROOT, 10)] }),
   32138: frictionPin(LIGHT, {
     body: [
       [[0, -10, 0], [0, 10, 0], X, 9, 10],
@@ -216,14 +217,11 @@ const BUSHES = {
   '32123b': { class: 'bush', color: LIGHT },
 };
 
-/** The stump of an axle hole or axle at a right angle to the middle tube of a connector. */
-const stump = (direction) =>
-  disc(
-    direction.map((value) => 5 * value),
-    direction,
-    8.5,
-    5,
-  );
+/**
+ * The stump of an axle hole or axle at a right angle to the middle tube of a connector. It reaches through
+ * the tube, 1 LDU out at its back, so that its middle lies on the lattice like every other cell of the part.
+ */
+const stump = (direction) => disc(O, direction, 8.5, 10);
 
 /** The arm of an angle connector that leaves the pin hole at the given place of its axle hole. */
 const angled = (y, z) => stump([0, y / 20, z / 20]);
@@ -233,11 +231,9 @@ const CONNECTORS = {
     LIGHT,
     [
       [O, [0, -40, 0], X, 9, 10],
+      [O, [0, -40, 0], Z, 9, 10],
       [O, [0, 0, 40], X, 9, 10],
-      disc([0, 0, -5], Z, PIN_ROOT, 5),
-      disc([0, -40, -5], Z, PIN_ROOT, 5),
-      disc([0, 5, 0], Y, PIN_ROOT, 5),
-      disc([0, 5, 40], Y, PIN_ROOT, 5),
+      [O, [0, 0, 40], Y, 9, 10],
     ],
     { mass: 0.69 },
   ),
@@ -245,12 +241,11 @@ const CONNECTORS = {
     LIGHT,
     [
       [[0, -20, 0], [0, 20, 0], X, 9, 10],
-      disc([0, -20, 0], Z, PIN_ROOT, 10),
-      disc([0, 20, 0], Z, PIN_ROOT, 10),
+      [[0, -20, 0], [0, 20, 0], Z, 9, 10],
     ],
     { mass: 0.95 },
   ),
-  6536: connector(DARK, [disc([0, 10, 0], X, 9, 9)], { mass: 0.54 }),
+  6536: connector(DARK, [[O, [0, 20, 0], X, 9, 9]], { mass: 0.54 }),
   32184: connector(DARK, [[[0, -20, 0], [0, 20, 0], X, 9, 9]], { mass: 0.91 }),
   42003: connector(DARK, [
     [[0, -20, 0], [0, 20, 0], X, 9, 9],
@@ -258,13 +253,11 @@ const CONNECTORS = {
   ]),
   32291: connector(DARK, [
     [[-10, 20, 0], [10, 20, 0], Z, 9, 10],
-    [[0, 6, 0], [0, 14, 0], Z, 8.5, 7],
-    disc([0, 4, 0], X, 9.6, 9),
+    [O, [0, 20, 0], X, 9, 9],
   ]),
   63869: connector(LIGHT, [
     [[-20, 20, 0], [20, 20, 0], Z, 9, 10],
-    [[0, 6, 0], [0, 14, 0], Z, 8.5, 7],
-    disc([0, 4, 0], X, 9.6, 9.5),
+    [O, [0, 20, 0], X, 9, 10],
   ]),
   41678: connector(DARK, [
     [[-15, 0, 0], [-15, 0, -20], X, 9.7, 5],
@@ -295,7 +288,7 @@ const CONNECTORS = {
     disc([0, 0, 20], X, 8, 30),
     disc([0, 0, -20], X, 8, 30),
   ]),
-  32039: connector(DARK, [disc([0, 0, -6], X, 9, 9)]),
+  32039: connector(DARK, [[O, [0, 0, -20], X, 9, 9]]),
   62462: connector(LIGHT),
   75535: connector(LIGHT, [], { tubeRadius: 10 }),
   59443: connector(DARK),
