@@ -3,7 +3,8 @@ import { existsSync, mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 
-const COMMAND = resolve(import.meta.dirname, '../../build/native/liftarm');
+const COMMAND =
+  process.env['LIFTARM_COMMAND'] ?? resolve(import.meta.dirname, '../../build/native/liftarm');
 
 /** What `liftarm check` says about a model file: its exit code and its words. */
 export function nativeCheck(model: string): { code: number | null; words: string } {

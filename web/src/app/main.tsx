@@ -23,9 +23,11 @@ import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
 import { listenToKeys } from './keyboard.ts';
 import { PageController } from './page-controller.ts';
+import type { SceneBridge } from './scene-bridge.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;
+const TURN_MS = 12_000;
 
 function localTextStorage(): TextStorage | null {
   try {
@@ -68,9 +70,23 @@ function pageOf(controller: PageController): Page {
   };
 }
 
+/** On a first visit the picture turns, to say that it is a space; anything that is done stops it. */
+function turnUntilTouched(scene: SceneBridge): void {
+  const stop = new AbortController();
+  const end = () => {
+    stop.abort();
+    scene.view?.setTurntable('off');
+  };
+  scene.view?.setTurntable('on');
+  for (const event of ['pointerdown', 'wheel', 'keydown']) {
+    window.addEventListener(event, end, { signal: stop.signal, capture: true, passive: true });
+  }
+  setTimeout(end, TURN_MS);
+}
+
 /** What to begin with: a link, else the last visit's sketch, else the first example. */
 async function openFirst(controller: PageController, kept: KeyValueStore): Promise<void> {
-  const { state, toaster } = controller;
+  const { state, toaster, scene } = controller;
   const saved = await loadSaved(kept).catch(() => null);
   if (saved) {
     controller.begin(saved);
@@ -92,6 +108,7 @@ async function openFirst(controller: PageController, kept: KeyValueStore): Promi
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
   const first = state.examples.value[0];
   if (!saved && first) {
+    turnUntilTouched(scene);
     controller.begin({
       sketch: { ...first.sketch, name: first.title },
       history: { past: [], future: [] },
@@ -141,6 +158,10 @@ async function start(): Promise<void> {
   });
   controller.fitFirstModels();
   keepAddress(controller);
+  effect(() => {
+    const name = store.sketch.value.name;
+    document.title = name ? `${name} – ${text.app.name}` : text.app.name;
+  });
   state.examples.value ??= await loadExamples(fetchJson).catch(() => []);
 }
 

@@ -45,7 +45,17 @@ function Hint() {
   const empty = page.store.sketch.value.lines.length === 0;
   const tool = page.tool.value;
   const { lock } = tool.overlay.value;
+  const part = page.hoveredPart.value;
+  const row = part === null ? undefined : page.result.value?.rows.find((r) => r.part === part);
   const hint = empty && tool.id === 'select' ? text.hints.empty : tool.hint.value;
+  if (row) {
+    return (
+      <p class="hint floating">
+        <strong>{row.name}</strong>
+        <span>{row.part}</span>
+      </p>
+    );
+  }
   return (
     <p class="hint floating">
       {lock ? <span class={`lock axis-${lock}`}>{lock.toUpperCase()}</span> : null}

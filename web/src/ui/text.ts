@@ -255,7 +255,7 @@ const EN = {
     seed: 'Seed',
     seedHelp: 'The same sketch, settings and seed always give the same model.',
     advanced: 'Advanced options',
-    advancedHelp: 'One key=value a line, as in liftarm solve --set.',
+    advancedHelp: 'One key=value a line, such as effort=2 or lengths=3,5,9,15.',
     badRow: 'Not key=value: {row}',
   },
   view: {
