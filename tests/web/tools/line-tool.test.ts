@@ -83,6 +83,15 @@ describe('line tool', () => {
     expect(store.sketch.value.lines).toEqual([{ from: [0, 0, 0], to: [5, 0, 0] }]);
   });
 
+  it('drops the point that a finger has begun when a second one comes', () => {
+    const { tool, store } = begin();
+    tool.pointerDown(pointerOver([0, 0, 0]));
+    tool.pointerLeave();
+    tool.pointerUp(pointerOver([5, 0, 0]));
+    expect(tool.escape()).toBe(false);
+    expect(store.sketch.value.lines).toHaveLength(0);
+  });
+
   it('takes a typed length in the direction of the pointer', () => {
     const { store, click, tool, press } = begin();
     click(0, 0);

@@ -97,6 +97,10 @@ export abstract class PointTool implements Tool {
   }
 
   pointerLeave(): void {
+    // A second finger turns the view: the point that the first one has just begun is not meant.
+    if (this.#pressedAt && this.#startedByPress) {
+      this.points = [];
+    }
     this.#pressedAt = null;
     if (this.points.length === 0) {
       this.located = null;

@@ -85,9 +85,7 @@ export class SelectTool implements Tool {
   }
 
   pointerLeave(): void {
-    if (!this.#gesture) {
-      this.#show({});
-    }
+    this.reset();
   }
 
   key(input: KeyInput): boolean {

@@ -104,6 +104,7 @@ export interface Tool {
   pointerMove(at: PointerInput): void;
   pointerDown(at: PointerInput): void;
   pointerUp(at: PointerInput): void;
+  /** The pointer is gone, or the camera has taken it: what this press has begun is dropped. */
   pointerLeave(): void;
   /** @returns true when the key was used. */
   key(input: KeyInput): boolean;
