@@ -25,10 +25,16 @@ class Bridges {
   [[nodiscard]] bool bridged(int first, int last) const {
     const std::set<int> onOneSide = beamsFrom(nodes_.from(first), first, last);
     const std::set<int> onTheOther = beamsFrom(nodes_.to(last), first, last);
+    std::set<int> mechanism;
+    for (const model::Connection& c : scene_.connections) {
+      if (distance(c.at, edge(first).from, edge(last).to) <= kBridgeReach) {
+        mechanism.insert({c.male, c.female});
+      }
+    }
     UnionFind groups(scene_.parts.size());
     for (const model::Connection& c : scene_.connections) {
       if (isGood(c.fit) && c.fit != model::Fit::kSlide &&
-          distance(c.at, edge(first).from, edge(last).to) <= kBridgeReach) {
+          (belongs(mechanism, c.male) || belongs(mechanism, c.female))) {
         groups.join(c.male, c.female);
       }
     }
@@ -66,6 +72,12 @@ class Bridges {
       front = next;
     }
     return beams;
+  }
+
+  //! Beams reach too far to count as near.
+  [[nodiscard]] bool belongs(const std::set<int>& mechanism, int part) const {
+    return mechanism.count(part) > 0 &&
+           scene_.parts[static_cast<std::size_t>(part)].part->partClass != parts::PartClass::kBeam;
   }
 
   static double distance(Vec3 p, Vec3 a, Vec3 b) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/cover_matching.h"
+
 namespace liftarm::analysis {
 
 namespace {
@@ -106,6 +108,7 @@ std::vector<EdgeCover> findCoverage(const Scene& scene) {
       coverEdges(stretch, line, edges.data() + begin);
     }
   }
+  matchCovers(edges);
   return edges;
 }
 

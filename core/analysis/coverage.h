@@ -32,8 +32,8 @@ struct EdgeCover {
 //! \brief Every unit edge of the sketch with the beams that cover it, line after line.
 //! \details A beam covers an edge where one of its stretches contains it up to an offset of at most
 //! kMaxLayer whole modules along the beam's hole axis. On `exact` lines the offset is 0; `holeAxis`
-//! of a line rules out other hole axes.
-//! \return Empty where the scene has no sketch.
+//! of a line rules out other hole axes. Each module of a beam stands for one edge
+//! (cover_matching.h). \return Empty where the scene has no sketch.
 std::vector<EdgeCover> findCoverage(const Scene& scene);
 
 //! \brief Item 5 of DESIGN 5: every unit edge is covered or bridged.

@@ -275,6 +275,31 @@ TEST(Check, AStackWithAnEmptyLayerHasAGap) {
   EXPECT_EQ(check(model).counts.gaps, 1);
 }
 
+TEST(Check, ABeamBetweenTwoLinesStandsForOneOfThem) {
+  // A second sketch line two modules above an existing one has no beam of its own.
+  Model model = squareFrame();
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {8, 0, 0}},
+                                        {{8, 0, 0}, {8, 8, 0}},
+                                        {{0, 8, 0}, {8, 8, 0}},
+                                        {{0, 0, 0}, {0, 8, 0}},
+                                        {{0, 0, 2}, {8, 0, 2}}});
+  const CheckReport report = check(model);
+  EXPECT_EQ(failures(report), "coverage ") << messages(report);
+  EXPECT_EQ(report.counts.uncovered, 1);
+  EXPECT_NE(messages(report).find("lines[4]"), std::string::npos);
+}
+
+TEST(Check, TwoLinesOnOnePlaceNeedOneBeam) {
+  Model model = squareFrame();
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {8, 0, 0}},
+                                        {{2, 0, 0}, {6, 0, 0}},
+                                        {{8, 0, 0}, {8, 8, 0}},
+                                        {{8, 8, 0}, {0, 8, 0}},
+                                        {{0, 0, 0}, {0, 8, 0}}});
+  const CheckReport report = check(model);
+  EXPECT_TRUE(report.buildable) << messages(report);
+}
+
 TEST(Check, AnEmptyModelIsNotBuildable) {
   EXPECT_FALSE(check(Model()).buildable);
 }

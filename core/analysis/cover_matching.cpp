@@ -1,0 +1,136 @@
+#include "analysis/cover_matching.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "analysis/node_index.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+//! One edge could be covered by one module of a beam.
+struct Candidate {
+  int module = -1;
+  double offset = 0.0;  // |layer|
+};
+
+class Matching {
+ public:
+  explicit Matching(std::vector<EdgeCover>& edges) : edges_(edges) {
+    numberEdges();
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      for (const Cover& cover : edges[e].covers) {
+        addCandidate(places_[e], moduleOf(edges[e], cover), std::abs(cover.layer));
+      }
+    }
+    for (std::vector<Candidate>& list : candidates_) {
+      std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+        return a.offset < b.offset;
+      });
+    }
+  }
+
+  void solve() {
+    std::vector<int> order(candidates_.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto best = [&](int place) {
+      const std::vector<Candidate>& list = candidates_[static_cast<std::size_t>(place)];
+      return list.empty() ? 1e9 : list.front().offset;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return best(a) < best(b); });
+    owner_.assign(modules_.size(), -1);
+    for (const int place : order) {
+      seen_.assign(modules_.size(), false);
+      augment(place);
+    }
+    for (const int place : order) {
+      for (const Candidate& candidate : candidates_[static_cast<std::size_t>(place)]) {
+        int& owner = owner_[static_cast<std::size_t>(candidate.module)];
+        owner = owner < 0 ? place : owner;
+      }
+    }
+  }
+
+  //! Takes from each edge the covers whose module stands for another one.
+  void apply() {
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      std::vector<Cover>& covers = edges_[e].covers;
+      covers.erase(std::remove_if(covers.begin(),
+                                  covers.end(),
+                                  [&](const Cover& cover) {
+                                    const int module = moduleOf(edges_[e], cover);
+                                    return owner_[static_cast<std::size_t>(module)] != places_[e];
+                                  }),
+                   covers.end());
+    }
+  }
+
+ private:
+  //! Edges between the same nodes share a place.
+  void numberEdges() {
+    const NodeIndex nodes(edges_);
+    std::map<std::pair<int, int>, int> known;
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+      const std::pair<int, int> ends = std::minmax(nodes.from(e), nodes.to(e));
+      places_.push_back(known.emplace(ends, static_cast<int>(known.size())).first->second);
+    }
+    candidates_.resize(known.size());
+  }
+
+  int moduleOf(const EdgeCover& edge, const Cover& cover) {
+    // Along the beam an edge and the module that covers it have the same middle.
+    const lattice::Vec3 d = edge.to - edge.from;
+    const double sign = d.x + 3 * d.y + 9 * d.z < 0 ? -1.0 : 1.0;
+    const double middle = sign * lattice::dot(0.5 * (edge.from + edge.to), d);
+    const Key key{cover.part, static_cast<long>(std::floor(2.0 * middle + 0.5))};
+    return modules_.emplace(key, static_cast<int>(modules_.size())).first->second;
+  }
+
+  void addCandidate(int place, int module, double offset) {
+    std::vector<Candidate>& list = candidates_[static_cast<std::size_t>(place)];
+    const bool known = std::any_of(
+        list.begin(), list.end(), [&](const Candidate& c) { return c.module == module; });
+    if (!known) {
+      list.push_back({module, offset});
+    }
+  }
+
+  bool augment(int place) {
+    for (const Candidate& candidate : candidates_[static_cast<std::size_t>(place)]) {
+      const auto module = static_cast<std::size_t>(candidate.module);
+      if (seen_[module]) {
+        continue;
+      }
+      seen_[module] = true;
+      if (owner_[module] < 0 || augment(owner_[module])) {
+        owner_[module] = place;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  using Key = std::pair<int, long>;  // part, twice the place along it
+
+  std::vector<EdgeCover>& edges_;
+  std::vector<int> places_;
+  std::vector<std::vector<Candidate>> candidates_;  // by place
+  std::map<Key, int> modules_;
+  std::vector<int> owner_;  // place, by module
+  std::vector<bool> seen_;
+};
+
+}  // namespace
+
+void matchCovers(std::vector<EdgeCover>& edges) {
+  Matching matching(edges);
+  matching.solve();
+  matching.apply();
+}
+
+}  // namespace liftarm::analysis
