@@ -98,6 +98,36 @@ class Builder {
     }
   }
 
+  //! An L beam from its two arms: the part's long arm runs along its y to the corner, the short one
+  //! from there along its x (32526 as LDraw has it).
+  void addCorner(int runId, const Beam& arm) {
+    const std::vector<Beam>& others = layout_.covers[at(arm.mate)].beams;
+    const auto mate = std::find_if(others.begin(), others.end(), [&](const Beam& beam) {
+      return layout::isOneBeam(runId, arm, arm.mate, beam);
+    });
+    LIFTARM_CHECK(mate != others.end(), "an L beam has both its arms");
+    const bool mineIsLong = arm.holes > mate->holes;
+    const Vec3 mine = awayFromCorner(runId, arm);
+    const Vec3 theirs = awayFromCorner(arm.mate, *mate);
+    const Vec3 x = mineIsLong ? theirs : mine;
+    const Vec3 y = -(mineIsLong ? mine : theirs);
+    const Mat3 rotation = lattice::fromColumns(x, y, lattice::cross(x, y));
+    const parts::Part& part = catalogued("32526");
+    const int index = layout::cornerIndex(graph_, runId, arm.mate);
+    const guide::GuideRun& run = graph_.runs[at(runId)];
+    const Vec3 corner = layout::holePosition(
+        graph_, run, layout_.covers[at(runId)].axis, index, arm.layer);
+    const double reach = static_cast<double>(std::max(arm.holes, mate->holes) - 1);
+    parts_.push_back({part.id, part.color, {corner - reach * y, rotation},
+                      components_.ofRun[at(runId)], arm.layer, run.piece});
+  }
+
+  //! Direction of an L beam's arm, away from its corner.
+  [[nodiscard]] Vec3 awayFromCorner(int runId, const Beam& arm) const {
+    const Vec3 direction = graph_.runs[at(runId)].direction;
+    return layout::cornerIndex(graph_, runId, arm.mate) == arm.start ? direction : -direction;
+  }
+
   void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {
     for (const mechanisms::MechanismPart& member : mechanism.parts) {
       const std::string id = turning ? withoutFriction(member.id) : member.id;
@@ -110,7 +140,11 @@ class Builder {
     const guide::GuideRun& run = graph_.runs[at(runId)];
     const Cover& cover = layout_.covers[at(runId)];
     for (const Beam& beam : cover.beams) {
-      addBeam(runId, beam);
+      if (beam.mate < 0) {
+        addBeam(runId, beam);
+      } else if (runId < beam.mate) {
+        addCorner(runId, beam);
+      }
     }
     for (std::size_t b = 1; b < cover.beams.size(); ++b) {
       const Beam& before = cover.beams[b - 1];

@@ -24,6 +24,21 @@ std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Bea
   return pins;
 }
 
+int cornerIndex(const guide::GuidingGraph& graph, int run, int mate) {
+  const guide::GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
+  for (std::size_t j = 0; j < guideRun.junctions.size(); ++j) {
+    const guide::Junction& junction =
+        graph.junctions[static_cast<std::size_t>(guideRun.junctions[j])];
+    const bool meets = std::any_of(junction.incident.begin(),
+                                   junction.incident.end(),
+                                   [&](const guide::Incidence& i) { return i.run == mate; });
+    if (meets) {
+      return guideRun.junctionIndices[j];
+    }
+  }
+  return -1;
+}
+
 int partsOfBeam(int holes) {
   return holes == 4 || holes == 6 ? 2 : 1;
 }

@@ -8,17 +8,19 @@
 
 namespace liftarm::layout {
 
-//! \brief A straight beam in use on a run: holes at the run's nodes start .. start + holes - 1.
-//! It may stick out past the run's ends by one module.
+//! \brief A beam in use on a run: holes at the run's nodes start .. start + holes - 1. It may stick out
+//! past the run's ends by one module. It may be one arm of an L beam, whose other arm is on run `mate`.
 struct Beam {
   int start = 0;
   int holes = 2;
   int layer = 0;
+  int mate = -1;
 
   [[nodiscard]] int last() const { return start + holes - 1; }
 
   friend bool operator==(const Beam& a, const Beam& b) {
-    return a.start == b.start && a.holes == b.holes && a.layer == b.layer;
+    return a.start == b.start && a.holes == b.holes && a.layer == b.layer &&
+           a.mate == b.mate;
   }
 };
 
@@ -50,6 +52,14 @@ inline Stadium stadiumOf(const guide::GuidingGraph& graph, const guide::GuideRun
 //! and that are no junction (junctions are pinned by their own group), the first and the last.
 //! \return Node indices; empty when all shared nodes are junctions.
 std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
+
+//! \brief Whether two beams are the arms of one L beam.
+inline bool isOneBeam(int runA, const Beam& a, int runB, const Beam& b) {
+  return a.mate == runB && b.mate == runA;
+}
+
+//! \brief Node index, on run `run`, where it meets run `mate`; -1 when they do not meet.
+int cornerIndex(const guide::GuidingGraph& graph, int run, int mate);
 
 //! \brief Number of real parts that a beam of this many holes is made of: two thin ones for 4 and 6.
 int partsOfBeam(int holes);

@@ -52,9 +52,12 @@ void Layout::addRun(const RunState& state, int run, int sign) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   for (std::size_t b = 0; b < state.cover.beams.size(); ++b) {
     const Beam& beam = state.cover.beams[b];
-    tallies_.beams += sign * partsOfBeam(beam.holes);
-    tallies_.holes += sign * beam.holes;
-    tallies_.layerSquares += sign * beam.holes * beam.layer * beam.layer;
+    // Of an L beam's arms the one on the lower run counts the beam, the other leaves out the corner.
+    const bool second = beam.mate >= 0 && beam.mate < run;
+    const int holes = second ? beam.holes - 1 : beam.holes;
+    tallies_.beams += second ? 0 : sign * partsOfBeam(beam.holes);
+    tallies_.holes += sign * holes;
+    tallies_.layerSquares += sign * holes * beam.layer * beam.layer;
     tallies_.overhang +=
         sign * ((beam.start < 0 ? 1 : 0) + (beam.last() > guideRun.edgeCount() ? 1 : 0));
     if (b > 0) {
@@ -97,6 +100,9 @@ int Layout::collisionsWith(int run, const Cover& cover, int other) const {
   for (const Beam& beam : cover.beams) {
     const Stadium mine = stadiumOf(graph, graph.runs[at(run)], cover.axis, beam);
     for (const Beam& otherBeam : otherCover.beams) {
+      if (isOneBeam(run, beam, other, otherBeam)) {
+        continue;
+      }
       pairs += overlap(mine, stadiumOf(graph, graph.runs[at(other)], otherCover.axis, otherBeam))
                    ? 1
                    : 0;
@@ -144,6 +150,7 @@ std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
     hash = base::mixHash(hash, static_cast<std::uint64_t>(first + 4096));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(last + 4096));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.layer + 64));
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.mate + 1));
   }
   return hash;
 }

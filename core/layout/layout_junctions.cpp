@@ -138,12 +138,15 @@ void Layout::fillRun(const RunView& view) {
       }
     }
     const Cell shift = scaled(beam.layer, axisStep);
+    // The corner of an L beam is one hole: the arm on the lower run brings it.
+    const bool second = beam.mate >= 0 && beam.mate < view.run;
+    const int corner = second ? cornerIndex(problem_->graph, view.run, beam.mate) : -2;
     if (view.aligned) {
       for (int i = std::max(beam.start, static_cast<int>(view.low) - 1);
            i <= std::min(beam.last(), static_cast<int>(view.high) + 1);
            ++i) {
         const Cell cell = view.base + scaled(i, view.step) + shift;
-        if (inBox(cell)) {
+        if (inBox(cell) && i != corner) {
           local_.addHole({cell, cover.axis, terminal, pinnedInline(run, cover, b, i)});
         }
       }
@@ -200,6 +203,10 @@ bool Layout::fillProblem(int junction) {
     for (std::size_t b = a + 1; b < localTerminals_.size(); ++b) {
       const auto [runA, beamA] = localTerminals_[a];
       const auto [runB, beamB] = localTerminals_[b];
+      if (isOneBeam(runA, runs_[at(runA)].cover.beams[at(beamA)], runB,
+                    runs_[at(runB)].cover.beams[at(beamB)])) {
+        local_.join(static_cast<int>(a), static_cast<int>(b));
+      }
       if (runA == runB && (beamA - beamB == 1 || beamB - beamA == 1)) {
         const std::vector<Beam>& beams = runs_[at(runA)].cover.beams;
         const guide::GuideRun& run = problem_->graph.runs[at(runA)];

@@ -15,6 +15,11 @@ constexpr double kPickAxis = 0.12;        // share of moves that turn the run's 
 constexpr double kPickTwo = 0.35;         // share of moves that cover two runs anew
 constexpr double kPickMany = 0.2;       // share of moves that clear several runs first, while violated
 constexpr std::uint32_t kMostMany = 4;
+constexpr double kPickBend = 0.06;       // share of moves that lay an L beam at a corner
+constexpr double kStraighten = 0.25;    // share of moves on a run with L beams that take them out
+constexpr std::uint32_t kMostFollowers = 7;
+constexpr int kLongArm = 5;             // holes of the L beam's arms (32526)
+constexpr int kShortArm = 3;
 constexpr double kMostNoise = 9.0;
 constexpr std::uint64_t kPatience = 150;  // moves without a change of violations before weights rise
 
@@ -22,6 +27,27 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double weightOf(const objective::Weights& weights, std::string_view term) {
   return weights[*objective::termIndex(term)];
+}
+
+std::vector<layout::Beam> armsOf(const layout::Cover& cover) {
+  std::vector<layout::Beam> arms;
+  for (const layout::Beam& beam : cover.beams) {
+    if (beam.mate >= 0) {
+      arms.push_back(beam);
+    }
+  }
+  return arms;
+}
+
+//! The beams of a cover without the arm whose other one is on `mate`; -2 takes out every arm.
+std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, int mate) {
+  std::vector<layout::Beam> rest;
+  for (const layout::Beam& beam : beams) {
+    if (beam.mate < 0 || (mate != -2 && beam.mate != mate)) {
+      rest.push_back(beam);
+    }
+  }
+  return rest;
 }
 
 CoverCosts coverCosts(const objective::Weights& w) {
@@ -182,23 +208,101 @@ int Annealer::pickPartner(int run) {
   return other == run ? -1 : other;
 }
 
+bool Annealer::coverRun(int run, lattice::Axis axis, double noise,
+                        const std::vector<layout::Beam>& fixed) {
+  coverer_.setFixed(fixed);
+  auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
+  coverer_.setFixed({});
+  if (!cover) {
+    return false;
+  }
+  const bool changed = !(*cover == layout_.run(run).cover);
+  if (changed) {
+    layout_.setCover(run, std::move(*cover));
+  }
+  return changed;
+}
+
+//! Covers a run anew; its arms of L beams stay, and then so does its hole axis.
 bool Annealer::recover(int run, double noise) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   lattice::Axis axis = layout_.run(run).cover.axis;
-  if (guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
+  if (!arms.empty() && rng_.unit() < kStraighten) {
+    return straighten(run, noise);
+  }
+  if (arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
     axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
   }
-  auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
-  if (!cover || *cover == layout_.run(run).cover) {
+  return coverRun(run, axis, noise, arms);
+}
+
+//! Takes the L beams of a run out: it and the runs of their other arms are covered anew.
+bool Annealer::straighten(int run, double noise) {
+  bool changed = false;
+  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
+  layout::Cover bare = layout_.run(run).cover;
+  bare.beams = withoutMates(bare.beams, -2);
+  layout_.setCover(run, bare);
+  for (const layout::Beam& arm : arms) {
+    const layout::Cover& cover = layout_.run(arm.mate).cover;
+    layout::Cover mate{cover.axis, withoutMates(cover.beams, run)};
+    const std::vector<layout::Beam> kept = armsOf(mate);
+    layout_.setCover(arm.mate, mate);
+    changed = coverRun(arm.mate, mate.axis, noise, kept) || changed;
+  }
+  return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
+}
+
+//! Lays an L beam at a corner of this run and another of the same hole axis, square to it.
+bool Annealer::bend(int run, double noise) {
+  const int mate = pickPartner(run);
+  if (mate < 0) {
     return false;
   }
-  layout_.setCover(run, std::move(*cover));
+  const guide::GuidingGraph& graph = problem_->graph;
+  const layout::Cover& mine = layout_.run(run).cover;
+  const layout::Cover& theirs = layout_.run(mate).cover;
+  const bool square = graph.runs[at(run)].principal && graph.runs[at(mate)].principal;
+  if (!square || mine.axis != theirs.axis || !armsOf(mine).empty() || !armsOf(theirs).empty()) {
+    return false;
+  }
+  const int layer = static_cast<int>(rng_.below(3)) - 1;
+  const bool longer = rng_.below(2) == 0;
+  const auto armAt = [&](int onRun, int other, int holes) {
+    const int corner = layout::cornerIndex(graph, onRun, other);
+    const int start = rng_.below(2) == 0 ? corner : corner - holes + 1;
+    return layout::Beam{start, holes, layer, other};
+  };
+  const layout::Beam a = armAt(run, mate, longer ? kLongArm : kShortArm);
+  const layout::Beam b = armAt(mate, run, longer ? kShortArm : kLongArm);
+  if (a.start < 0 || b.start < 0 || a.last() > graph.runs[at(run)].edgeCount() ||
+      b.last() > graph.runs[at(mate)].edgeCount()) {
+    return false;
+  }
+  const lattice::Axis axis = mine.axis;
+  layout_.setCover(run, {axis, {}});
+  layout_.setCover(mate, {axis, {}});
+  if (!coverRun(run, axis, noise, {a}) || !coverRun(mate, axis, noise, {b})) {
+    return false;
+  }
+  // Both lines' layers have changed along their length: let those that cross them follow.
+  const std::uint32_t followers = rng_.below(kMostFollowers);
+  for (std::uint32_t i = 0; i < followers; ++i) {
+    const int other = pickPartner(i % 2 == 0 ? run : mate);
+    if (other >= 0 && other != run && other != mate) {
+      recover(other, noise);
+    }
+  }
   return true;
 }
 
 //! Ruin and recreate: clears the run and some that meet or pass near it, then covers them one by one in a
 //! random order. What one run alone cannot do, since its neighbours stand in the way, several can.
 bool Annealer::recoverMany(int run, double noise) {
+  if (!armsOf(layout_.run(run).cover).empty()) {
+    return straighten(run, noise);
+  }
   std::vector<int> cleared{run};
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   const std::uint32_t wanted = 1 + rng_.below(kMostMany);
@@ -210,7 +314,8 @@ bool Annealer::recoverMany(int run, double noise) {
     } else if (other < 0 && !guideRun.near.empty()) {
       other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
     }
-    if (other >= 0 && std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
+    if (other >= 0 && armsOf(layout_.run(other).cover).empty() &&
+        std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
       cleared.push_back(other);
     }
   }
@@ -236,12 +341,18 @@ void Annealer::move() {
   const int run = pickRun();
   const double noise = kMostNoise * rng_.unit();
   const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
-  bool changed = many ? recoverMany(run, noise) : recover(run, noise);
-  if (!many && rng_.unit() < kPickTwo) {
+  const bool corner = !many && options_.corners && rng_.unit() < kPickBend;
+  bool changed = many ? recoverMany(run, noise) : (corner ? bend(run, noise) : recover(run, noise));
+  if (corner && !changed) {
+    layout_.revert();
+    return;
+  }
+  if (!many && !corner && rng_.unit() < kPickTwo) {
     const int partner = pickPartner(run);
     changed = (partner >= 0 && recover(partner, noise)) || changed;
   }
   if (!changed) {
+    layout_.revert();
     return;
   }
   layout_.settle();

@@ -18,6 +18,7 @@ struct AnnealingOptions {
   std::uint32_t iterationsPerRun = 120;
   std::uint32_t minIterations = 1500;
   std::uint32_t maxRounds = 6;       //!< further rounds while no layout without violations was found
+  bool corners = true;               //!< whether L beams may be used
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };
@@ -63,6 +64,9 @@ class Annealer {
   [[nodiscard]] int pickPartner(int run);
   bool recover(int run, double noise);
   bool recoverMany(int run, double noise);
+  bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
+  bool straighten(int run, double noise);
+  bool bend(int run, double noise);
   [[nodiscard]] double energy() const;
   [[nodiscard]] double plainEnergy() const;
   void raiseWeights();

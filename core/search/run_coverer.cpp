@@ -15,6 +15,7 @@ using lattice::Axis;
 constexpr double kNever = 1e18;
 constexpr int kMostOverlap = 3;
 constexpr double kForbidden = 1e6;
+constexpr double kFixedBonus = 1e7;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -182,6 +183,35 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
   }
 }
 
+//! Makes the fixed beams irresistible, and what stands in their place impossible.
+void RunCoverer::favourFixed() {
+  for (const Beam& fixed : fixed_) {
+    for (int start = -1; start <= edges_; ++start) {
+      for (std::size_t n = 0; n < lengths_.size(); ++n) {
+        const int last = start + lengths_[n] - 1;
+        if (start == fixed.start && lengths_[n] == fixed.holes) {
+          beamCost_[beamIndex(start, n, fixed.layer)] -= kFixedBonus;
+        } else if (last <= edges_ + 1 && start <= fixed.last() && last >= fixed.start) {
+          beamCost_[beamIndex(start, n, fixed.layer)] += kForbidden;
+        }
+      }
+    }
+  }
+}
+
+//! Marks the arms of L beams in a cover; false when one is missing.
+bool RunCoverer::markFixed(Cover* cover) const {
+  return std::all_of(fixed_.begin(), fixed_.end(), [&](const Beam& fixed) {
+    for (Beam& beam : cover->beams) {
+      if (beam.start == fixed.start && beam.holes == fixed.holes && beam.layer == fixed.layer) {
+        beam.mate = fixed.mate;
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
 void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   edges_ = guideRun.edgeCount();
@@ -261,6 +291,7 @@ std::optional<Cover> RunCoverer::propose(const layout::Layout& layout, int run, 
                                          double noise, base::Rng* rng) {
   prepare(layout, run, axis);
   addBeamCosts(run, axis, noise, rng);
+  favourFixed();
   for (int start = -1; start <= 1 && start < edges_ + 1; ++start) {
     if (mayStart(start)) {
       relax(-1, start, 0, start);
@@ -289,6 +320,9 @@ std::optional<Cover> RunCoverer::propose(const layout::Layout& layout, int run, 
     cover.beams.push_back({start, last - start + 1, layer});
   }
   std::reverse(cover.beams.begin(), cover.beams.end());
+  if (!markFixed(&cover)) {
+    return std::nullopt;
+  }
   return cover;
 }
 

@@ -37,6 +37,9 @@ class RunCoverer {
   std::optional<layout::Cover> propose(const layout::Layout& layout, int run, lattice::Axis axis,
                                        double noise, base::Rng* rng);
 
+  //! \brief Beams that the next proposals must contain as they are: arms of L beams. Empty again: none.
+  void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
+
   [[nodiscard]] const CoverCosts& costs() const { return costs_; }
 
  private:
@@ -49,6 +52,8 @@ class RunCoverer {
   void addBlockers(const layout::Layout& layout, int run, lattice::Axis axis);
   void addJunctionCosts(const layout::Layout& layout, int run, lattice::Axis axis);
   void addBeamCosts(int run, lattice::Axis axis, double noise, base::Rng* rng);
+  void favourFixed();
+  [[nodiscard]] bool markFixed(layout::Cover* cover) const;
   void relax(int state, int start, int fromLayer, int overlapFrom);
   [[nodiscard]] double stackCost(std::size_t junctionPlace, unsigned own) const;
   [[nodiscard]] std::size_t beamIndex(int start, std::size_t length, int layer) const;
@@ -60,6 +65,8 @@ class RunCoverer {
   const layout::LayoutProblem* problem_;
   std::vector<int> lengths_;
   CoverCosts costs_;
+
+  std::vector<layout::Beam> fixed_;
 
   // One run's working set, reused from call to call.
   int edges_ = 0;
