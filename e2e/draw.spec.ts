@@ -1,10 +1,12 @@
 import { nativeCheck } from './helpers/native.ts';
+import { scaffold } from './helpers/sketches.ts';
 import {
   clickPlaces,
   downloaded,
   expect,
   generate,
   openEmpty,
+  openText,
   savedSketch,
   settled,
   test,
@@ -89,12 +91,8 @@ test('a selection is moved, copied and deleted', async ({ page }) => {
 
 test('a search is cancelled at once and the sketch stays', async ({ page }) => {
   await openEmpty(page);
-  await page.keyboard.press('g');
-  await page.keyboard.type('2');
-  await clickPlaces(page, [
-    [-300, -280],
-    [300, 280],
-  ]);
+  await openText(page, scaffold(8));
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Scaffold');
   const { lines } = await savedSketch(page);
   await page.getByRole('button', { name: /^Generate/ }).click();
   await page.getByRole('button', { name: 'Cancel' }).click();

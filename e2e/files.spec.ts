@@ -1,5 +1,4 @@
-import type { Page } from '@playwright/test';
-import { expect, openEmpty, openPage, savedSketch, settled, test } from './helpers/test.ts';
+import { expect, openEmpty, openPage, openText, savedSketch, test } from './helpers/test.ts';
 
 const GOOD = JSON.stringify({
   format: 'technic-sketch',
@@ -31,19 +30,9 @@ const BAD: readonly (readonly [string, string, RegExp])[] = [
   ['other.json', '{"hello":"world"}', /format/],
 ];
 
-async function open(page: Page, name: string, content: string): Promise<void> {
-  // The browser opens its dialog only a short while after the key.
-  await settled(page);
-  const [chooser] = await Promise.all([
-    page.waitForEvent('filechooser'),
-    page.keyboard.press('Control+o'),
-  ]);
-  await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(content) });
-}
-
 test('a sketch file is opened, and undo brings back what was there', async ({ page }) => {
   await openEmpty(page);
-  await open(page, 'good.sketch.json', GOOD);
+  await openText(page, GOOD, 'good.sketch.json');
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
   expect((await savedSketch(page)).lines).toHaveLength(3);
   await page.keyboard.press('Control+z');
@@ -64,9 +53,9 @@ test('a dropped file is opened', async ({ page }) => {
 for (const [name, content, message] of BAD) {
   test(`one clear message for ${name}, and the sketch stays`, async ({ page }) => {
     await openEmpty(page);
-    await open(page, 'good.sketch.json', GOOD);
+    await openText(page, GOOD, 'good.sketch.json');
     await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
-    await open(page, name, content);
+    await openText(page, content, name);
     const alert = page.getByRole('alert');
     await expect(alert).toHaveCount(1);
     await expect(alert).toContainText(name);
@@ -77,7 +66,7 @@ for (const [name, content, message] of BAD) {
 
 test('the link holds the sketch', async ({ page, context }) => {
   await openEmpty(page);
-  await open(page, 'good.sketch.json', GOOD);
+  await openText(page, GOOD, 'good.sketch.json');
   await expect(page).toHaveURL(/#s1\./);
   const address = page.url();
 

@@ -1,4 +1,4 @@
-import { expect, generate, openEmpty, savedSketch, test } from './helpers/test.ts';
+import { expect, generate, openEmpty, runCommand, savedSketch, test } from './helpers/test.ts';
 
 test('a box is drawn with the keyboard alone', async ({ page }) => {
   await openEmpty(page);
@@ -42,9 +42,7 @@ test('lines are drawn, generated and undone with the keyboard alone', async ({ p
 
 test('every command is found in the palette and run from there', async ({ page }) => {
   await openEmpty(page);
-  await page.keyboard.press('Control+k');
-  await page.getByRole('combobox').fill('keys help');
-  await page.keyboard.press('Enter');
+  await runCommand(page, 'keys help');
   await expect(page.getByRole('dialog', { name: 'Keys and help' })).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toBeHidden();

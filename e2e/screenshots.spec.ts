@@ -1,7 +1,16 @@
 // Makes the pictures of docs/pictures/: `npm run screenshots`. Left out of the ordinary run.
 import { resolve } from 'node:path';
 import type { Page } from '@playwright/test';
-import { clickPlaces, expect, openEmpty, openPage, settled, test } from './helpers/test.ts';
+import { scaffold } from './helpers/sketches.ts';
+import {
+  clickPlaces,
+  expect,
+  openEmpty,
+  openPage,
+  openText,
+  settled,
+  test,
+} from './helpers/test.ts';
 
 const FOLDER = resolve(import.meta.dirname, '../docs/pictures');
 
@@ -52,37 +61,11 @@ test('drawing', async ({ page }) => {
   await shoot(page, 'drawing');
 });
 
-/** A scaffold of cells: large enough that the search can be watched. */
-function scaffold(): string {
-  const lines: unknown[] = [];
-  for (let i = 0; i <= 3; i++) {
-    for (let k = 0; k <= 2; k++) {
-      lines.push({ from: [0, 4 * i, 6 * k], to: [12, 4 * i, 6 * k] });
-      lines.push({ from: [4 * i, 0, 6 * k], to: [4 * i, 12, 6 * k] });
-    }
-    for (let j = 0; j <= 3; j++) {
-      lines.push({ from: [4 * i, 4 * j, 0], to: [4 * i, 4 * j, 12] });
-    }
-  }
-  return JSON.stringify({ format: 'technic-sketch', version: 1, name: 'Scaffold', lines });
-}
-
-async function openText(page: Page, content: string): Promise<void> {
-  // The browser opens its dialog only a short while after the key.
-  await settled(page);
-  const [chooser] = await Promise.all([
-    page.waitForEvent('filechooser'),
-    page.keyboard.press('Control+o'),
-  ]);
-  const buffer = Buffer.from(content);
-  await chooser.setFiles({ name: 'a.json', mimeType: 'application/json', buffer });
-}
-
 test('solving', async ({ page }) => {
   await openEmpty(page);
   await page.keyboard.press('o');
   await page.keyboard.press('i');
-  await openText(page, scaffold());
+  await openText(page, scaffold(3));
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Scaffold');
   await settled(page);
   await page.getByRole('button', { name: /^Generate/ }).click();

@@ -1,4 +1,4 @@
-import { expect, openPage, test } from './helpers/test.ts';
+import { expect, openPage, runCommand, test } from './helpers/test.ts';
 
 test('the page starts with an example that is solved and shown', async ({ page }) => {
   await openPage(page);
@@ -16,8 +16,9 @@ test('an example is chosen from the list and solved', async ({ page }) => {
 
 test('the picture is saved as PNG', async ({ page }) => {
   await openPage(page);
-  await page.keyboard.press('Control+k');
-  await page.getByRole('combobox').fill('picture');
-  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Enter')]);
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    runCommand(page, 'download picture'),
+  ]);
   expect(file.suggestedFilename()).toMatch(/\.png$/);
 });

@@ -73,6 +73,24 @@ export async function downloaded(page: Page, action: () => Promise<void>): Promi
   return Buffer.concat(chunks).toString('utf8');
 }
 
+/** Opens a file with this text by the page's dialog. */
+export async function openText(page: Page, content: string, name = 'a.sketch.json'): Promise<void> {
+  // The browser opens its dialog only a short while after the key.
+  await settled(page);
+  const [chooser] = await Promise.all([
+    page.waitForEvent('filechooser'),
+    page.keyboard.press('Control+o'),
+  ]);
+  await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(content) });
+}
+
+/** Runs the command that the palette finds first for some words. */
+export async function runCommand(page: Page, words: string): Promise<void> {
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox', { name: 'Search for a command' }).fill(words);
+  await page.keyboard.press('Enter');
+}
+
 /** Presses Generate and waits for the verdict. */
 export async function generate(page: Page): Promise<void> {
   await page.getByRole('button', { name: /^Generate/ }).click();

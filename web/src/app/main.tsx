@@ -17,12 +17,13 @@ import '../../styles/layout.css';
 import '../../styles/controls.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';
+import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
 import { listenToKeys } from './keyboard.ts';
-import { PageController } from './page-controller.ts';
+import { isOwnAddress, PageController } from './page-controller.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { followTheme } from './theme.ts';
 
@@ -84,26 +85,42 @@ function turnUntilTouched(scene: SceneBridge): void {
   setTimeout(end, TURN_MS);
 }
 
+/** Opens the sketch of a link. @returns whether there was one that is not on the page already. */
+async function openLink(
+  controller: PageController,
+  saved: SketchDocument | null,
+): Promise<boolean> {
+  const { toaster } = controller;
+  const shared =
+    saved && isOwnAddress(history.state) ? null : await decodeShare(location.hash.slice(1));
+  if (!shared) {
+    return false;
+  }
+  if (!shared.ok) {
+    toaster.error(shared.message);
+    return false;
+  }
+  if (JSON.stringify(shared.value.sketch) === JSON.stringify(saved)) {
+    return false;
+  }
+  const refusal = controller.openShared(shared.value);
+  if (refusal !== null) {
+    toaster.error(refusal);
+    return false;
+  }
+  toaster.info(text.files.fromLink);
+  return true;
+}
+
 /** What to begin with: a link, else the last visit's sketch, else the first example. */
 async function openFirst(controller: PageController, kept: KeyValueStore): Promise<void> {
-  const { state, toaster, scene } = controller;
+  const { state, scene } = controller;
   const saved = await loadSaved(kept).catch(() => null);
   if (saved) {
     controller.begin(saved);
   }
-  const shared = await decodeShare(location.hash.slice(1));
-  if (shared && !shared.ok) {
-    toaster.error(shared.message);
-  }
-  const same =
-    shared?.ok && JSON.stringify(shared.value.sketch) === JSON.stringify(saved?.sketch ?? null);
-  if (shared?.ok && !same) {
-    const refusal = controller.openShared(shared.value);
-    if (refusal === null) {
-      toaster.info(text.files.fromLink);
-      return;
-    }
-    toaster.error(refusal);
+  if (await openLink(controller, saved?.sketch ?? null)) {
+    return;
   }
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
   const first = state.examples.value[0];

@@ -29,6 +29,16 @@ interface ControllerOptions {
   readonly client: SolverClient;
 }
 
+/** Marks an address that this page has written: after a reload the saved sketch is newer than it. */
+const OWN_ADDRESS = { liftarm: 'own' } as const;
+
+/** Whether the address came from this page, and not from a link that was opened. */
+export function isOwnAddress(state: unknown): boolean {
+  return (
+    typeof state === 'object' && state !== null && 'liftarm' in state && state.liftarm === 'own'
+  );
+}
+
 const PICTURE = { width: 1600, height: 1200 } as const;
 const TURN_BACK_MS = 50;
 
@@ -309,15 +319,15 @@ export class PageController implements Actions {
     const { preset, seed } = this.state.preferences.value;
     const sketch = this.state.store.sketch.value;
     if (sketch.lines.length === 0) {
-      history.replaceState(null, '', location.pathname + location.search);
+      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
       return null;
     }
     const fragment = await encodeShare({ sketch, preset, seed });
     if (!fragment.ok) {
-      history.replaceState(null, '', location.pathname + location.search);
+      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
       return fragment.message;
     }
-    history.replaceState(null, '', `#${fragment.value}`);
+    history.replaceState(OWN_ADDRESS, '', `#${fragment.value}`);
     return null;
   }
 
