@@ -1,0 +1,134 @@
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include "core/helpers/models.h"
+#include "model/model_json.h"
+
+namespace liftarm::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int exitCode = -1;
+  std::string out;
+  std::string err;
+};
+
+class Command : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / (std::string("liftarm-cli-") + test->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& content) {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return (folder_ / name).string();
+  }
+
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  Outcome run(const std::string& arguments) {
+    const std::string line = std::string("'") + LIFTARM_COMMAND + "' " + arguments + " >'" +
+                             (folder_ / "stdout").string() + "' 2>'" +
+                             (folder_ / "stderr").string() + "'";
+    Outcome outcome;
+    const int status = std::system(line.c_str());
+    outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    outcome.out = read("stdout");
+    outcome.err = read("stderr");
+    return outcome;
+  }
+
+  //! One line on standard error, nothing on standard output, exit 1.
+  void expectRefused(const std::string& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 1) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Command, SolvesASquareAndItsFilesPassTheCheck) {
+  const std::string sketch = write("Square.sketch.json",
+                                   testing::sketchOf({{{0, 0, 0}, {8, 0, 0}},
+                                                      {{8, 0, 0}, {8, 8, 0}},
+                                                      {{8, 8, 0}, {0, 8, 0}},
+                                                      {{0, 8, 0}, {0, 0, 0}}}));
+  const Outcome solved =
+      run("solve '" + sketch + "' -o '" + folder_.string() + "' --seed 3 --json");
+  ASSERT_EQ(solved.exitCode, 0) << solved.err << solved.out;
+  const auto report = nlohmann::json::parse(solved.out);
+  EXPECT_EQ(report.at("seed"), 3);
+  EXPECT_TRUE(report.at("buildable").get<bool>());
+  EXPECT_TRUE(report.at("seconds").contains("stageTwo"));
+  EXPECT_EQ(read("Square.mpd").find("0 FILE "), 0U);
+  EXPECT_EQ(read("Square.parts.csv").find("Part,Color,Quantity\n"), 0U);
+  EXPECT_EQ(run("check '" + (folder_ / "Square.model.json").string() + "'").exitCode, 0);
+}
+
+TEST_F(Command, TheSameSeedWritesTheSameBytes) {
+  const std::string sketch =
+      write("a.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{4, 0, 0}, {4, 0, 6}}}));
+  run("solve '" + sketch + "' -o '" + folder_.string() + "' --seed 5");
+  const std::string first = read("a.model.json");
+  ASSERT_FALSE(first.empty());
+  run("solve '" + sketch + "' -o '" + folder_.string() + "' --seed 5");
+  EXPECT_EQ(read("a.model.json"), first);
+}
+
+TEST_F(Command, CheckOfABadModelExitsWithTwo) {
+  model::Model model = testing::squareFrame();
+  model.parts.pop_back();
+  model.parts.erase(model.parts.begin() + 4);
+  const std::string path = write("bad.model.json", model::writeModel(model));
+  const Outcome outcome = run("check '" + path + "'");
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_NE(outcome.out.find("NOT buildable"), std::string::npos);
+  EXPECT_NE(outcome.out.find("separate"), std::string::npos);
+}
+
+TEST_F(Command, RefusesBadInputWithOneLine) {
+  const std::string good = write("good.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
+  expectRefused("solve '" + (folder_ / "none.json").string() + "'", "cannot be opened");
+  expectRefused("solve '" + folder_.string() + "'", "is a folder");
+  expectRefused("solve '" + write("broken.json", "{\"format\":") + "'", "not valid JSON");
+  expectRefused("solve '" + write("empty.json", "") + "'", "empty.json: ");
+  expectRefused("solve '" + write("half.json", testing::sketchOf({{{0, 0, 0}, {4.5, 0, 0}}})) + "'",
+                "4.5 is not a whole number");
+  expectRefused("solve '" + good + "' --seed x", "seed");
+  expectRefused("solve '" + good + "' --set nonsense", "expected key=value");
+  expectRefused("solve '" + good + "' --set nosuchkey=1", "nosuchkey");
+  expectRefused("check '" + good + "'", "liftarm-model");
+  expectRefused("solve", "SKETCH");
+}
+
+TEST_F(Command, HelpTellsAllOptions) {
+  const Outcome outcome = run("--help");
+  EXPECT_EQ(outcome.exitCode, 0);
+  for (const char* word :
+       {"solve", "check", "--seed", "--preset", "--method", "--set", "--json", "-o"}) {
+    EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
+  }
+}
+
+}  // namespace
+}  // namespace liftarm::cli
