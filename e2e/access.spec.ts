@@ -14,7 +14,7 @@ for (const theme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme: theme, reducedMotion: 'reduce' });
     await openPage(page);
     await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
-    await page.getByText('Settings').click();
+    await page.getByRole('heading', { name: 'Settings' }).click();
     expect(await seriousFindings(page)).toEqual([]);
     for (const [shortcut, name] of [
       ['Control+k', 'All commands'],

@@ -33,7 +33,7 @@ test('one finger draws a line on a phone', async ({ page }) => {
 test('the sheet opens over the drawing and closes again', async ({ page }) => {
   await openPage(page);
   await page.getByRole('button', { name: 'Show result and settings' }).tap();
-  await expect(page.getByText('Settings')).toBeInViewport();
+  await expect(page.getByRole('heading', { name: 'Settings' })).toBeInViewport();
   await page.getByRole('button', { name: 'Hide result and settings' }).tap();
-  await expect(page.getByText('Settings')).not.toBeInViewport();
+  await expect(page.getByRole('heading', { name: 'Settings' })).not.toBeInViewport();
 });
