@@ -44,6 +44,9 @@ test('a frame drawn by hand becomes a model that the command finds buildable', a
     page.getByRole('button', { name: 'Parts', exact: true }).click(),
   );
   expect(csv.trim().split('\n').length).toBeGreaterThan(1);
+
+  await openText(page, model, 'drawn.model.json');
+  await expect(page.getByTestId('verdict')).toContainText('opened from a file and checked');
 });
 
 test('undo and redo take every step back and forth, also after a reload', async ({ page }) => {

@@ -203,6 +203,11 @@ export class PageController implements Actions {
       return;
     }
     this.useTool('select');
+    if (!this.state.shown.value?.sketch) {
+      // The sketch on the page has nothing to do with this model.
+      const { preferences } = this.state;
+      preferences.value = { ...preferences.value, show: 'model' };
+    }
     this.fit();
     this.toaster.info(fillWords(text.files.openedModel, { name: file.name }));
   }

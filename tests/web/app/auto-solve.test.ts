@@ -1,0 +1,101 @@
+import { signal } from '@preact/signals';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { type Search, solveAfterEdits } from '../../../web/src/app/auto-solve.ts';
+import { PageController } from '../../../web/src/app/page-controller.ts';
+import { Catalogue } from '../../../web/src/model/catalogue.ts';
+import type { SketchDocument } from '../../../web/src/model/sketch.ts';
+import { PREFERENCE_DEFAULTS } from '../../../web/src/state/preferences.ts';
+import { SketchStore } from '../../../web/src/state/store.ts';
+import { silentClient } from '../helpers/silent-client.ts';
+
+const sketchOf = (count: number): SketchDocument => ({
+  format: 'technic-sketch',
+  version: 1,
+  lines: Array.from({ length: count }, (_, i) => ({ from: [0, i, 0], to: [4, i, 0] })),
+});
+
+function begin(autoSolve = true) {
+  const store = new SketchStore();
+  const controller = new PageController({
+    store,
+    preferences: signal({ ...PREFERENCE_DEFAULTS, autoSolve }),
+    catalogue: new Catalogue([]),
+    client: silentClient(),
+  });
+  const did: string[] = [];
+  let underWay: SketchDocument | null = null;
+  const search: Search = {
+    generate: () => {
+      did.push('generate');
+      underWay = store.sketch.value;
+    },
+    drop: () => {
+      did.push('drop');
+      underWay = null;
+    },
+    sketchUnderWay: () => underWay,
+  };
+  const stop = solveAfterEdits(controller.state, search);
+  const edit = (count: number) => {
+    store.commit('draw', sketchOf(count));
+  };
+  return { did, edit, store, search, stop };
+}
+
+describe('solving after edits', () => {
+  beforeEach(() => {
+    vi.useFakeTimers();
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+  });
+
+  it('waits for a pause and then starts once', () => {
+    const { did, edit } = begin();
+    edit(1);
+    vi.advanceTimersByTime(200);
+    edit(2);
+    vi.advanceTimersByTime(200);
+    expect(did).toEqual([]);
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate']);
+  });
+
+  it('gives up the search for an older sketch', () => {
+    const { did, edit } = begin();
+    edit(1);
+    vi.advanceTimersByTime(1000);
+    edit(2);
+    expect(did).toEqual(['generate', 'drop']);
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate', 'drop', 'generate']);
+  });
+
+  it('does not start again what a person has started already', () => {
+    const { did, edit, search } = begin();
+    edit(1);
+    search.generate();
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate']);
+  });
+
+  it('leaves a new name alone', () => {
+    const { did, edit, store } = begin();
+    edit(1);
+    vi.advanceTimersByTime(1000);
+    store.commit('rename', { ...store.sketch.value, name: 'Crane' });
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate']);
+  });
+
+  it.each([
+    ['a large sketch', true, 500],
+    ['any sketch when it is switched off', false, 1],
+    ['an empty sketch', true, 0],
+  ])('leaves %s to the button', (_name, autoSolve, count) => {
+    const { did, edit } = begin(autoSolve);
+    edit(count);
+    vi.advanceTimersByTime(5000);
+    expect(did).toEqual([]);
+  });
+});

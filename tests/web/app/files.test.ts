@@ -1,0 +1,97 @@
+import { describe, expect, it } from 'vitest';
+import { fileName } from '../../../web/src/app/download.ts';
+import { loadExamples } from '../../../web/src/app/example-list.ts';
+import { MAX_FILE_BYTES, readOpenedFile } from '../../../web/src/app/files.ts';
+import { type SolveResult, SolverError } from '../../../web/src/solver/client.ts';
+import { silentClient } from '../helpers/silent-client.ts';
+
+const SKETCH = '{"format":"technic-sketch","version":1,"lines":[{"from":[0,0,0],"to":[4,0,0]}]}';
+
+function client(answer: SolveResult | Error) {
+  return {
+    ...silentClient(),
+    solve: async () => {
+      if (answer instanceof Error) {
+        throw answer;
+      }
+      return answer;
+    },
+  };
+}
+
+const file = (text: string, size = text.length) => ({ size, text: async () => text });
+
+describe('opened files', () => {
+  it('takes a sketch that the core accepts', async () => {
+    const read = await readOpenedFile(
+      file(SKETCH),
+      client({ outcome: 'cancelled', modelJson: null }),
+    );
+    expect(read).toMatchObject({ ok: true, value: { kind: 'sketch' } });
+  });
+
+  it('says what the core says', async () => {
+    const read = await readOpenedFile(
+      file(SKETCH),
+      client({ outcome: 'refused', message: 'lines[0]: the words of the core' }),
+    );
+    expect(read).toEqual({ ok: false, message: 'lines[0]: the words of the core' });
+  });
+
+  it('reads a sketch without the core when that cannot run', async () => {
+    const read = await readOpenedFile(file(SKETCH), client(new SolverError('no memory')));
+    expect(read.ok).toBe(true);
+  });
+
+  it('knows a model by its first words', async () => {
+    const read = await readOpenedFile(
+      file('{"format":"liftarm-model","version":1,"parts":[]}'),
+      silentClient(),
+    );
+    expect(read).toMatchObject({ ok: true, value: { kind: 'model' } });
+  });
+
+  it.each([
+    ['nothing', file(' \n'), 'empty'],
+    ['too much', file('', MAX_FILE_BYTES + 1), 'larger'],
+    [
+      'what cannot be read',
+      { size: 3, text: async () => Promise.reject(new Error('gone')) },
+      'could not be read',
+    ],
+  ])('refuses %s', async (_name, opened, message) => {
+    const read = await readOpenedFile(opened, silentClient());
+    expect(read.ok ? '' : read.message).toContain(message);
+  });
+});
+
+describe('file names', () => {
+  it.each([
+    ['Truss bridge', 'truss-bridge.mpd'],
+    ['  ../../etc/passwd ', 'etc-passwd.mpd'],
+    ['🙂', 'sketch.mpd'],
+    ['', 'sketch.mpd'],
+  ])('of %j', (title, name) => {
+    expect(fileName(title, 'mpd')).toBe(name);
+  });
+});
+
+describe('examples', () => {
+  it('are all that can be read, in the order of the index', async () => {
+    const files: Record<string, unknown> = {
+      'examples/index.json': [
+        { file: 'a.sketch.json', name: 'A' },
+        { file: '../secret.json', name: 'B' },
+        { file: 'broken.sketch.json', name: 'C' },
+      ],
+      'examples/a.sketch.json': JSON.parse(SKETCH),
+      'examples/broken.sketch.json': { lines: 7 },
+    };
+    const examples = await loadExamples(async (path) => files[path] ?? null);
+    expect(examples.map(({ title }) => title)).toEqual(['A']);
+  });
+
+  it('are none when the index is missing', async () => {
+    expect(await loadExamples(async () => null)).toEqual([]);
+  });
+});
