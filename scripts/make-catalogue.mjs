@@ -142,7 +142,10 @@ function partRecord(id, choice, fact) {
       min: [0, 1, 2].map((i) => Math.min(corners[0][i], corners[1][i])),
     },
     class: choice.class,
-    collars: features.filter((feature) => feature.gender === 'M').flatMap(collars),
+    collars: [
+      ...features.filter((feature) => feature.gender === 'M').flatMap(collars),
+      ...(choice.neck ?? []).map(prism),
+    ],
     color: choice.color,
     features: features.map(featureRecord),
     friction: Boolean(choice.friction),

@@ -59,8 +59,8 @@ class Collisions {
 
  private:
   [[nodiscard]] bool excused(int a, const Shape& s, int b, const Shape& t) const {
-    if (s.kind != Kind::kBody && t.kind != Kind::kBody) {
-      return shareHole(a, b);
+    if (s.kind != Kind::kBody && t.kind != Kind::kBody && shareHole(a, b)) {
+      return true;
     }
     return (s.kind == Kind::kHead && seatedIn(a, s, b)) ||
            (t.kind == Kind::kHead && seatedIn(b, t, a)) ||

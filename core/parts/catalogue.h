@@ -61,9 +61,10 @@ struct Part {
   double thickness = 1.0;  //!< beams: 1 or 0.5 modules
   std::vector<Feature> features;
   std::vector<Stretch> stretches;
-  std::vector<Prism> solid;    //!< body only: the heads of `features` are not in it
-  std::vector<Prism> collars;  //!< rings around heads: sink into a pin hole's rim, else collide
-  lattice::Vec3 boundsMin;     //!< of the LDraw geometry
+  std::vector<Prism> solid;  //!< body only: the heads of `features` are not in it
+  std::vector<Prism>
+      collars;              //!< rings and necks of heads: sink into a pin hole's rim, else collide
+  lattice::Vec3 boundsMin;  //!< of the LDraw geometry
   lattice::Vec3 boundsMax;
 };
 

@@ -1,8 +1,9 @@
 // What the public facts do not hold about our parts: class, colour, friction, measured mass and the
 // simplified solid. Lengths are LDU in LDraw's own frame (20 LDU = 1 module, -Y up).
-// A body is a list of stadium prisms [from, to, axis, radius, halfThickness]; the tubes around holes and the
-// arms of beams are made from the facts. Middle lines lie on whole cells wherever the part does: the search
-// takes its cells from them. tests/core/parts holds them against the voxels of the real parts.
+// A body or a neck (between the body and a head) is a list of stadium prisms
+// [from, to, axis, radius, halfThickness]; the tubes around holes and the arms of beams are made from the
+// facts. Middle lines of bodies lie on whole cells wherever the part does: the search takes its cells from
+// them. tests/core/parts holds all of it against the voxels of the real parts.
 
 const X = [1, 0, 0];
 const Y = [0, 1, 0];
@@ -184,7 +185,7 @@ const PINS = {
   32054: frictionPin(RED),
   87082: frictionPin(LIGHT, { mass: 0.35, body: [disc(O, X, PIN_ROOT, 10)] }),
   44874: frictionPin(LIGHT, { body: [disc(O, X, PIN_ROOT, 10)] }),
-  15100: frictionPin(BLACK, { mass: 0.26, body: [disc(O, X, PIN_ROOT, 10)] }),
+  15100: frictionPin(BLACK, { mass: 0.26, neck: [disc([6.5, 0, 0], X, PIN_ROOT, 3.5)] }),
   32138: frictionPin(LIGHT, {
     body: [
       [[0, -10, 0], [0, 10, 0], X, 9, 10],
@@ -217,11 +218,14 @@ const BUSHES = {
   '32123b': { class: 'bush', color: LIGHT },
 };
 
-/**
- * The stump of an axle hole or axle at a right angle to the middle tube of a connector. It reaches through
- * the tube, 1 LDU out at its back, so that its middle lies on the lattice like every other cell of the part.
- */
-const stump = (direction) => disc(O, direction, 8.5, 10);
+/** What joins a head or an axle hole to the middle tube of its part; a neck, so that it has no back. */
+const stump = (direction) =>
+  disc(
+    direction.map((value) => 6.5 * value),
+    direction,
+    8.5,
+    3.5,
+  );
 
 /** The arm of an angle connector that leaves the pin hole at the given place of its axle hole. */
 const angled = (y, z) => stump([0, y / 20, z / 20]);
@@ -266,20 +270,20 @@ const CONNECTORS = {
     disc([-5, 0, -17.5], Y, 9.4, 10),
     disc([5, 0, -17.5], Y, 9.4, 10),
   ]),
-  22961: connector(DARK, [stump([1, 0, 0])]),
-  10197: connector(DARK, [stump([0, -1, 0]), stump([0, 0, -1])]),
+  22961: connector(DARK, [], { neck: [stump([1, 0, 0])] }),
+  10197: connector(DARK, [], { neck: [stump([0, -1, 0]), stump([0, 0, -1])] }),
   27940: connector(DARK, [disc(O, X, 8.5, 10)]),
   44809: connector(RED, [
     [O, [0, 0, -20], Y, 9, 10],
     [O, [20, 0, 0], Y, 9, 9],
     [O, [20, 0, 0], Z, 9, 9],
   ]),
-  32013: connector(DARK, [stump([0, 0, -1])]),
+  32013: connector(DARK, [], { neck: [stump([0, 0, -1])] }),
   32034: connector(DARK, [disc(O, Z, 8.5, 10)]),
-  32016: connector(DARK, [stump([0, 0, -1]), angled(-7.653669, 18.477591)]),
-  32192: connector(DARK, [stump([0, 0, -1]), angled(-14.142136, 14.142136)]),
-  32015: connector(DARK, [stump([0, 0, -1]), angled(-18.477591, 7.653669)]),
-  32014: connector(DARK, [stump([0, 0, -1]), stump([0, -1, 0])]),
+  32016: connector(DARK, [], { neck: [stump([0, 0, -1]), angled(-7.653669, 18.477591)] }),
+  32192: connector(DARK, [], { neck: [stump([0, 0, -1]), angled(-14.142136, 14.142136)] }),
+  32015: connector(DARK, [], { neck: [stump([0, 0, -1]), angled(-18.477591, 7.653669)] }),
+  32014: connector(DARK, [], { neck: [stump([0, 0, -1]), stump([0, -1, 0])] }),
   39793: connector(LIGHT, [
     [[-20, 0, -20], [-20, 0, 20], Y, 9.7, 10],
     [[20, 0, -20], [20, 0, 20], Y, 9.7, 10],
