@@ -19,7 +19,6 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   CLI::App* solve = app.add_subcommand(
       "solve",
       "Solve a sketch: write DIR/NAME.model.json, NAME.mpd, NAME.parts.csv and print a report");
-  solve->set_help_flag("-h,--help", "Print this help and exit");
   solve->add_option("SKETCH", options.sketchPath, "Sketch file (JSON)")->required();
   solve->add_option("-o,--output", options.folder, "Folder for the results")
       ->type_name("DIR")
@@ -53,7 +52,6 @@ int main(int argc, char** argv) {
   std::string modelPath;
   bool checkJson = false;
   CLI::App* check = app.add_subcommand("check", "Repeat every check on a model file (DESIGN 5)");
-  check->set_help_flag("-h,--help", "Print this help and exit");
   check->add_option("MODEL", modelPath, "Model file (NAME.model.json)")->required();
   check->add_flag("--json", checkJson, "Print the answer as one JSON object");
 
