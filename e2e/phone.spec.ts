@@ -32,8 +32,10 @@ test('one finger draws a line on a phone', async ({ page }) => {
 
 test('the sheet opens over the drawing and closes again', async ({ page }) => {
   await openPage(page);
+  const choice = page.getByText('Generate after each edit');
+  await expect(choice).toBeHidden();
   await page.getByRole('button', { name: 'Show result and settings' }).tap();
-  await expect(page.getByRole('heading', { name: 'Settings' })).toBeInViewport();
+  await expect(choice).toBeVisible();
   await page.getByRole('button', { name: 'Hide result and settings' }).tap();
-  await expect(page.getByRole('heading', { name: 'Settings' })).not.toBeInViewport();
+  await expect(choice).toBeHidden();
 });
