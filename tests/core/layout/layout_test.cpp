@@ -1,0 +1,239 @@
+#include "layout/layout.h"
+
+#include <gtest/gtest.h>
+
+#include "core/helpers/layouts.h"
+
+namespace liftarm::layout {
+namespace {
+
+using testing::fingerprint;
+using testing::LayoutBench;
+using testing::randomCover;
+
+struct NamedSketch {
+  const char* name;
+  sketch::Sketch sketch;
+};
+
+std::vector<NamedSketch> smallSketches() {
+  sketch::Sketch boxed = testing::cornerSketch(6);
+  boxed.keepOut.push_back({{2, 1, 0}, {4, 3, 2}});
+  boxed.ground = 0.0;
+  return {{"square", testing::squareSketch(8)},
+          {"corner", testing::cornerSketch(5)},
+          {"triangle", testing::triangleSketch(2)},
+          {"grid", testing::gridSketch(2)},
+          {"cube", testing::cubeSketch(6)},
+          {"house", testing::houseSketch()},
+          {"seesaw", testing::seesawSketch()},
+          {"boxed", boxed}};
+}
+
+std::string nameOf(const ::testing::TestParamInfo<NamedSketch>& info) {
+  return info.param.name;
+}
+
+void expectEqual(const Tallies& a, const Tallies& b) {
+  EXPECT_EQ(a.beams, b.beams);
+  EXPECT_EQ(a.holes, b.holes);
+  EXPECT_EQ(a.layerSquares, b.layerSquares);
+  EXPECT_EQ(a.overhang, b.overhang);
+  EXPECT_EQ(a.hinges, b.hinges);
+  EXPECT_EQ(a.collisions, b.collisions);
+  EXPECT_EQ(a.forbidden, b.forbidden);
+  EXPECT_EQ(a.gaps, b.gaps);
+  EXPECT_EQ(a.overfull, b.overfull);
+  EXPECT_EQ(a.failedConnections, b.failedConnections);
+  EXPECT_EQ(a.connectors, b.connectors);
+  EXPECT_EQ(a.mechanisms, b.mechanisms);
+  EXPECT_EQ(a.mechanismHeads, b.mechanismHeads);
+  EXPECT_EQ(a.mechanismCells, b.mechanismCells);
+  EXPECT_NEAR(a.pinHeadRatios, b.pinHeadRatios, 1e-6);
+  EXPECT_NEAR(a.connectionCost, b.connectionCost, 1e-6);
+}
+
+void coverAll(Layout* layout, base::Rng* rng) {
+  const std::vector<guide::GuideRun>& runs = layout->problem().graph.runs;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    layout->setCover(static_cast<int>(r), randomCover(runs[r], rng));
+  }
+  layout->settleAll();
+  layout->keep();
+}
+
+void coverSome(Layout* layout, base::Rng* rng) {
+  const std::vector<guide::GuideRun>& runs = layout->problem().graph.runs;
+  const std::uint32_t count = 1 + rng->below(3);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const auto run = static_cast<int>(rng->below(static_cast<std::uint32_t>(runs.size())));
+    const guide::GuideRun& guideRun = runs[static_cast<std::size_t>(run)];
+    layout->setCover(
+        run, rng->below(6) == 0 ? Cover{guideRun.axes.front(), {}} : randomCover(guideRun, rng));
+  }
+}
+
+struct LayoutEdits : ::testing::TestWithParam<NamedSketch> {};
+
+TEST_P(LayoutEdits, TalliesEqualARecountAfterAnyEdits) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(11);
+  coverAll(&layout, &rng);
+  for (int step = 0; step < 60; ++step) {
+    coverSome(&layout, &rng);
+    layout.settle();
+    if (rng.below(2) == 0) {
+      layout.keep();
+    } else {
+      layout.revert();
+    }
+    expectEqual(layout.tallies(), layout.recount());
+    if (HasFailure()) {
+      FAIL() << "after step " << step;
+    }
+  }
+}
+
+TEST_P(LayoutEdits, RevertRestoresEverything) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(12);
+  coverAll(&layout, &rng);
+  for (int step = 0; step < 60; ++step) {
+    const std::string before = fingerprint(layout);
+    coverSome(&layout, &rng);
+    if (rng.below(3) != 0) {
+      layout.settle();
+    }
+    layout.revert();
+    ASSERT_EQ(fingerprint(layout) == before, true) << "after step " << step;
+  }
+}
+
+TEST_P(LayoutEdits, RevertLeavesNoTraceInLaterEdits) {
+  LayoutBench bench(GetParam().sketch);
+  LayoutBench other(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  Layout straight(other.problem, other.solver);
+  base::Rng rng(13);
+  base::Rng same(13);
+  coverAll(&layout, &rng);
+  coverAll(&straight, &same);
+  for (int step = 0; step < 20; ++step) {
+    base::Rng detour(static_cast<std::uint64_t>(step));
+    coverSome(&layout, &detour);
+    layout.settle();
+    layout.revert();
+    coverSome(&layout, &rng);
+    coverSome(&straight, &same);
+    layout.settle();
+    straight.settle();
+    layout.keep();
+    straight.keep();
+  }
+  expectEqual(layout.tallies(), straight.tallies());
+}
+
+TEST_P(LayoutEdits, WeightedViolationsAreTheViolationsWhereAllWeightsAreOne) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(14);
+  coverAll(&layout, &rng);
+  for (int step = 0; step < 30; ++step) {
+    coverSome(&layout, &rng);
+    layout.settle();
+    layout.keep();
+    EXPECT_NEAR(layout.weightedViolations(), layout.tallies().violations(), 1e-6);
+  }
+}
+
+TEST_P(LayoutEdits, RunCollisionsSumToTwiceThePairs) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(15);
+  coverAll(&layout, &rng);
+  int sum = 0;
+  for (std::size_t r = 0; r < bench.problem.graph.runs.size(); ++r) {
+    sum += layout.run(static_cast<int>(r)).collisions;
+  }
+  EXPECT_EQ(sum, 2 * layout.tallies().collisions);
+}
+
+TEST_P(LayoutEdits, SettlingFromScratchIsTheSameTwice) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(16);
+  coverAll(&layout, &rng);
+  layout.settleAll();
+  layout.keep();
+  const std::string once = testing::structureOf(layout);
+  layout.settleAll();
+  layout.keep();
+  EXPECT_EQ(testing::structureOf(layout) == once, true);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sketches, LayoutEdits, ::testing::ValuesIn(smallSketches()), nameOf);
+
+TEST(Layout, OfStackedBeamsHasOnePinInEachCorner) {
+  LayoutBench bench(testing::squareSketch(8));
+  Layout layout(bench.problem, bench.solver);
+  for (int r = 0; r < 4; ++r) {
+    const bool alongX = bench.problem.graph.runs[static_cast<std::size_t>(r)].direction.y == 0.0;
+    layout.setCover(r, {lattice::Axis::kZ, {{0, 9, alongX ? 0 : 1}}});
+  }
+  layout.settle();
+  EXPECT_EQ(layout.tallies().violations(), 0);
+  EXPECT_EQ(layout.tallies().beams, 4);
+  EXPECT_EQ(layout.tallies().connectors, 4);
+  EXPECT_DOUBLE_EQ(layout.tallies().pinHeadRatios, 4.0);
+}
+
+TEST(Layout, BeamsOfOneLayerCollideInEveryCorner) {
+  LayoutBench bench(testing::squareSketch(8));
+  Layout layout(bench.problem, bench.solver);
+  for (int r = 0; r < 4; ++r) {
+    layout.setCover(r, {lattice::Axis::kZ, {{0, 9, 0}}});
+  }
+  layout.settle();
+  EXPECT_EQ(layout.tallies().collisions, 4);
+}
+
+TEST(Layout, EmptyLayerBetweenStackedBeamsIsAGap) {
+  LayoutBench bench(testing::teeSketch());
+  Layout layout(bench.problem, bench.solver);
+  layout.setCover(0, {lattice::Axis::kZ, {{0, 9, -1}}});
+  layout.setCover(1, {lattice::Axis::kZ, {{0, 7, 1}}});
+  layout.settle();
+  EXPECT_EQ(layout.tallies().gaps, 1);
+}
+
+TEST(Layout, BeamOfSixHolesCountsTwoParts) {
+  LayoutBench bench(testing::lineSketch(5));
+  Layout layout(bench.problem, bench.solver);
+  layout.setCover(0, {lattice::Axis::kZ, {{0, 6, 0}}});
+  layout.settle();
+  EXPECT_EQ(layout.tallies().beams, 2);
+}
+
+TEST(Layout, BeamsInLineThatShareOneHoleAreAHinge) {
+  LayoutBench bench(testing::lineSketch(8));
+  Layout layout(bench.problem, bench.solver);
+  layout.setCover(0, {lattice::Axis::kZ, {{0, 5, 0}, {4, 5, 1}}});
+  layout.settle();
+  EXPECT_EQ(layout.tallies().hinges, 1);
+  EXPECT_EQ(layout.tallies().connectors, 1);
+}
+
+TEST(Layout, HolesBelowTheGroundAreForbidden) {
+  sketch::Sketch sketch = testing::lineSketch(4);
+  sketch.ground = 0.0;
+  LayoutBench bench(sketch);
+  Layout layout(bench.problem, bench.solver);
+  layout.setCover(0, {lattice::Axis::kZ, {{0, 5, -1}}});
+  layout.settle();
+  EXPECT_EQ(layout.tallies().forbidden, 5);
+}
+
+}  // namespace
+}  // namespace liftarm::layout
