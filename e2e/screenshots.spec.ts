@@ -69,7 +69,8 @@ test('solving', async ({ page }) => {
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Scaffold');
   await settled(page);
   await page.getByRole('button', { name: /^Generate/ }).click();
-  await expect(page.getByRole('img', { name: /^Objective from/ })).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByRole('progressbar')).toBeVisible();
+  await expect(page.getByText(/\d steps/)).toBeVisible({ timeout: 60_000 });
   await page.screenshot({ path: resolve(FOLDER, 'solving.png') });
 });
 
