@@ -75,13 +75,19 @@ export async function downloaded(page: Page, action: () => Promise<void>): Promi
 
 /** Opens a file with this text by the page's dialog. */
 export async function openText(page: Page, content: string, name = 'a.sketch.json'): Promise<void> {
-  // The browser opens its dialog only a short while after the key.
-  await settled(page);
-  const [chooser] = await Promise.all([
-    page.waitForEvent('filechooser'),
-    page.keyboard.press('Control+o'),
-  ]);
-  await chooser.setFiles({ name, mimeType: 'application/json', buffer: Buffer.from(content) });
+  const file = { name, mimeType: 'application/json', buffer: Buffer.from(content) };
+  // The browser opens its dialog only within five seconds of the key: a slow machine may need another.
+  for (let tries = 0; tries < 4; tries++) {
+    await settled(page);
+    const waiting = page.waitForEvent('filechooser', { timeout: 15_000 }).catch(() => null);
+    await page.keyboard.press('Control+o');
+    const chooser = await waiting;
+    if (chooser) {
+      await chooser.setFiles(file);
+      return;
+    }
+  }
+  throw new Error('the page opened no file dialog');
 }
 
 /** Runs the command that the palette finds first for some words. */
