@@ -52,8 +52,8 @@ TEST(BeamBound, OfACubeIsTwelve) {
 }
 
 TEST(BeamBound, CountsPiecesTogether) {
-  EXPECT_EQ(beamsLowerBound(graphOf(testing::sketchFrom(
-                {{{0, 0, 0}, {5, 0, 0}}, {{0, 50, 0}, {20, 50, 0}}}))),
+  EXPECT_EQ(beamsLowerBound(
+                graphOf(testing::sketchFrom({{{0, 0, 0}, {5, 0, 0}}, {{0, 50, 0}, {20, 50, 0}}}))),
             3);
 }
 

@@ -43,9 +43,8 @@ inline sketch::Sketch squareSketch(double side) {
 
 //! \brief Three lines that leave the origin along x, y and z.
 inline sketch::Sketch cornerSketch(double length) {
-  return sketchFrom({{{0, 0, 0}, {length, 0, 0}},
-                     {{0, 0, 0}, {0, length, 0}},
-                     {{0, 0, 0}, {0, 0, length}}});
+  return sketchFrom(
+      {{{0, 0, 0}, {length, 0, 0}}, {{0, 0, 0}, {0, length, 0}}, {{0, 0, 0}, {0, 0, length}}});
 }
 
 //! \brief A bar along x with a stem along y at its middle.
@@ -113,9 +112,8 @@ inline sketch::Sketch houseSketch() {
 
 //! \brief A foot with a beam that turns about y on top of it.
 inline sketch::Sketch seesawSketch() {
-  sketch::Sketch sketch = sketchFrom({{{-4, 0, 0}, {4, 0, 0}},
-                                      {{0, 0, 0}, {0, 0, 6}},
-                                      {{-8, 0, 6}, {8, 0, 6}}});
+  sketch::Sketch sketch =
+      sketchFrom({{{-4, 0, 0}, {4, 0, 0}}, {{0, 0, 0}, {0, 0, 6}}, {{-8, 0, 6}, {8, 0, 6}}});
   sketch.joints.push_back({{0, 0, 6}, {0, 1, 0}, {{1}, {2}}});
   return sketch;
 }

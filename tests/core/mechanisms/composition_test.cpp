@@ -77,12 +77,10 @@ TEST(Composition, FindsTheFiveSinglePartsOfTheFindings) {
 
 TEST(Composition, SinglePartsHaveThePinHeadRatiosOfTheFindings) {
   const std::map<std::string, int> counts = inventory(compose(1));
-  EXPECT_EQ(counts,
-            (std::map<std::string, int>{{"2780 2/2", 1},
-                                        {"6558 3/3", 1},
-                                        {"87082 2/3", 1},
-                                        {"48989 4/7", 1},
-                                        {"55615 4/9", 1}}));
+  EXPECT_EQ(
+      counts,
+      (std::map<std::string, int>{
+          {"2780 2/2", 1}, {"6558 3/3", 1}, {"87082 2/3", 1}, {"48989 4/7", 1}, {"55615 4/9", 1}}));
 }
 
 TEST(Composition, FindsThePapersTeeAndEll) {
@@ -98,7 +96,8 @@ TEST(Composition, FindsTheTwoUniversalCrossesOfLongPinAndPinWithHole) {
 }
 
 TEST(Composition, FindsTheTwentyTwoMechanismsOfTheFindings) {
-  // FINDINGS 1 counts 22 of at most two parts; 87082 in the hole of 48989 was beyond its limit of cells.
+  // FINDINGS 1 counts 22 of at most two parts; 87082 in the hole of 48989 was beyond its limit of
+  // cells.
   std::map<std::string, int> counts = inventory(compose(2));
   EXPECT_EQ(counts["87082+48989 5/9"] + counts["48989+87082 5/9"], 4);
   counts.erase("87082+48989 5/9");
@@ -145,10 +144,9 @@ TEST(Composition, PutsEveryRealSlotIntoACell) {
       for (const parts::Feature& feature : parts::Catalogue::builtIn().find(member.id)->features) {
         for (const Vec3& slot : feature.slots) {
           const Vec3 p = member.pose.apply(slot);
-          EXPECT_TRUE(std::any_of(m.cells.begin(),
-                                  m.cells.end(),
-                                  [&](const MechanismCell& c) { return at(p, c.at); }))
-              << namesOf(m);
+          EXPECT_TRUE(std::any_of(m.cells.begin(), m.cells.end(), [&](const MechanismCell& c) {
+            return at(p, c.at);
+          })) << namesOf(m);
         }
       }
     }

@@ -13,9 +13,8 @@ using lattice::Axis;
 using lattice::Cell;
 
 const MechanismTable& table() {
-  static const MechanismTable kTable(
-      composeMechanisms(parts::Catalogue::builtIn(),
-                        {{"2780", "6558", "87082", "15100", "48989", "55615"}, 2, 9}));
+  static const MechanismTable kTable(composeMechanisms(
+      parts::Catalogue::builtIn(), {{"2780", "6558", "87082", "15100", "48989", "55615"}, 2, 9}));
   return kTable;
 }
 
