@@ -16,7 +16,9 @@ using lattice::Vec3;
 using layout::Beam;
 using layout::Cover;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 const parts::Part& catalogued(std::string_view id) {
   const parts::Part* part = parts::Catalogue::builtIn().find(id);
@@ -24,12 +26,13 @@ const parts::Part& catalogued(std::string_view id) {
   return *part;
 }
 
-//! The straight beam with this many pin holes; thin ones when the length comes in no other thickness.
+//! The straight beam with this many pin holes; thin ones when the length comes in no other
+//! thickness.
 const parts::Part& beamPart(int holes) {
   const parts::Part* best = nullptr;
   for (const parts::Part& part : parts::Catalogue::builtIn().parts()) {
-    const bool roundHoles = std::all_of(
-        part.features.begin(), part.features.end(), [](const parts::Feature& feature) {
+    const bool roundHoles =
+        std::all_of(part.features.begin(), part.features.end(), [](const parts::Feature& feature) {
           return feature.kind == parts::FeatureKind::kPinHole;
         });
     if (part.holes == holes && roundHoles &&
@@ -59,7 +62,8 @@ std::string withoutFriction(const std::string& id) {
 
 class Builder {
  public:
-  Builder(const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table,
+  Builder(const layout::LayoutProblem& problem,
+          const mechanisms::MechanismTable& table,
           const search::LayoutSnapshot& layout)
       : graph_(problem.graph),
         table_(table),
@@ -90,8 +94,12 @@ class Builder {
     for (int half = thin ? -1 : 0; half <= (thin ? 1 : 0); half += 2) {
       const Vec3 shift = 0.25 * static_cast<double>(half) * z;
       const Vec3 position = centre + shift - rotation * middleOfHoles(part);
-      parts_.push_back({part.id, part.color, {position, rotation}, components_.ofRun[at(runId)],
-                        beam.layer, run.piece});
+      parts_.push_back({part.id,
+                        part.color,
+                        {position, rotation},
+                        components_.ofRun[at(runId)],
+                        beam.layer,
+                        run.piece});
       if (!thin) {
         break;
       }
@@ -115,11 +123,15 @@ class Builder {
     const parts::Part& part = catalogued("32526");
     const int index = layout::cornerIndex(graph_, runId, arm.mate);
     const guide::GuideRun& run = graph_.runs[at(runId)];
-    const Vec3 corner = layout::holePosition(
-        graph_, run, layout_.covers[at(runId)].axis, index, arm.layer);
+    const Vec3 corner =
+        layout::holePosition(graph_, run, layout_.covers[at(runId)].axis, index, arm.layer);
     const double reach = static_cast<double>(std::max(arm.holes, mate->holes) - 1);
-    parts_.push_back({part.id, part.color, {corner - reach * y, rotation},
-                      components_.ofRun[at(runId)], arm.layer, run.piece});
+    parts_.push_back({part.id,
+                      part.color,
+                      {corner - reach * y, rotation},
+                      components_.ofRun[at(runId)],
+                      arm.layer,
+                      run.piece});
   }
 
   //! Direction of an L beam's arm, away from its corner.
@@ -131,8 +143,12 @@ class Builder {
   void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {
     for (const mechanisms::MechanismPart& member : mechanism.parts) {
       const std::string id = turning ? withoutFriction(member.id) : member.id;
-      parts_.push_back({id, catalogued(id).color,
-                        {origin + member.pose.position, member.pose.rotation}, -1, 0, piece});
+      parts_.push_back({id,
+                        catalogued(id).color,
+                        {origin + member.pose.position, member.pose.rotation},
+                        -1,
+                        0,
+                        piece});
     }
   }
 
@@ -177,23 +193,26 @@ class Builder {
     for (const layout::PlacedMechanism& placed :
          layout_.junctions[at(junctionId)].connection.mechanisms) {
       const mechanisms::Mechanism& shape = table_.oriented(placed.oriented).shape;
-      addMechanism(shape, origin + lattice::toVec3(placed.at), piece,
+      addMechanism(shape,
+                   origin + lattice::toVec3(placed.at),
+                   piece,
                    junction.joint >= 0 && turnsAtJoint(junction, shape, placed.at));
     }
   }
 
   //! A single pin on the joint's axis through the joint itself.
   [[nodiscard]] bool turnsAtJoint(const guide::Junction& junction,
-                                  const mechanisms::Mechanism& shape, Cell place) const {
+                                  const mechanisms::Mechanism& shape,
+                                  Cell place) const {
     const guide::GuideJoint& joint = graph_.joints[at(junction.joint)];
     const int k = lattice::index(joint.axis);
     return shape.parts.size() == 1 &&
-           std::all_of(shape.cells.begin(), shape.cells.end(),
-                       [&](const mechanisms::MechanismCell& cell) {
-                         const Cell p = cell.at + place;
-                         return cell.head && cell.axis == joint.axis && p[(k + 1) % 3] == 0 &&
-                                p[(k + 2) % 3] == 0;
-                       });
+           std::all_of(
+               shape.cells.begin(), shape.cells.end(), [&](const mechanisms::MechanismCell& cell) {
+                 const Cell p = cell.at + place;
+                 return cell.head && cell.axis == joint.axis && p[(k + 1) % 3] == 0 &&
+                        p[(k + 2) % 3] == 0;
+               });
   }
 
   const guide::GuidingGraph& graph_;
@@ -205,8 +224,10 @@ class Builder {
 
 }  // namespace
 
-model::Model buildModel(const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table,
-                        const search::LayoutSnapshot& layout, const std::string& name,
+model::Model buildModel(const layout::LayoutProblem& problem,
+                        const mechanisms::MechanismTable& table,
+                        const search::LayoutSnapshot& layout,
+                        const std::string& name,
                         const std::string& sketchJson) {
   model::Model result;
   result.name = name;

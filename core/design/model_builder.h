@@ -8,12 +8,14 @@
 
 namespace liftarm::design {
 
-//! \brief Turns a layout into real parts in their places: the beams, the pins of joints in line, and the
-//! mechanisms of the junctions.
-//! \details At an annotated joint the pin through the turning groups is one without friction (DESIGN 6).
-//! \param sketchJson Kept in the model, so that it can be checked alone.
-model::Model buildModel(const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table,
-                        const search::LayoutSnapshot& layout, const std::string& name,
+//! \brief Turns a layout into real parts in their places: the beams, the pins of joints in line,
+//! and the mechanisms of the junctions. \details At an annotated joint the pin through the turning
+//! groups is one without friction (DESIGN 6). \param sketchJson Kept in the model, so that it can
+//! be checked alone.
+model::Model buildModel(const layout::LayoutProblem& problem,
+                        const mechanisms::MechanismTable& table,
+                        const search::LayoutSnapshot& layout,
+                        const std::string& name,
                         const std::string& sketchJson);
 
 }  // namespace liftarm::design

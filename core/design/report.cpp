@@ -1,9 +1,10 @@
 #include "design/report.h"
 
+#include <algorithm>
 #include <cmath>
+
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include "analysis/check.h"
 #include "guide/beam_bound.h"
 #include "layout/components.h"
@@ -14,9 +15,13 @@ namespace {
 
 using nlohmann::json;
 
-double rounded(double v) { return std::floor(v * 1e6 + 0.5) / 1e6; }
+double rounded(double v) {
+  return std::floor(v * 1e6 + 0.5) / 1e6;
+}
 
-json pointJson(lattice::Vec3 p) { return json::array({rounded(p.x), rounded(p.y), rounded(p.z)}); }
+json pointJson(lattice::Vec3 p) {
+  return json::array({rounded(p.x), rounded(p.y), rounded(p.z)});
+}
 
 json problemsJson(const analysis::CheckReport& check) {
   json problems = json::array();
@@ -79,34 +84,34 @@ std::string makeReport(const ReportInput& input) {
     terms[std::string(term.name)] = rounded(term.value(measures));
   }
   const layout::Tallies& tallies = best.tallies;
-  return json{{"name", input.sketch.name},
-              {"seed", input.settings.annealing.seed},
-              {"preset", std::string(objective::nameOf(input.settings.preset))},
-              {"method", input.settings.method},
-              {"lines", input.problem.graph.lines},
-              {"length", input.problem.graph.edges},
-              {"pieces", input.problem.graph.pieces},
-              {"components", components.count},
-              {"beams", check.counts.beams},
-              {"beamsLowerBound", guide::beamsLowerBound(input.problem.graph)},
-              {"bricks", check.counts.bricks},
-              {"gaps", std::max(check.counts.gaps, tallies.gaps)},
-              {"collisions", std::max(check.counts.collisions, tallies.collisions)},
-              {"uncovered", check.counts.uncovered},
-              {"failedConnections",
-               std::max(check.counts.failedConnections, tallies.failedConnections)},
-              {"pinHeadRatio", rounded(1.0 - objective::pinHeadRatio(measures))},
-              {"deviation", rounded(objective::deviation(measures))},
-              {"layerRange", measures.componentRange},
-              {"symmetryDeviation", rounded(measures.symmetryDeviation)},
-              {"mass", rounded(check.counts.mass)},
-              {"size", pointJson(check.counts.size)},
-              {"buildable", check.buildable && tallies.violations() == 0},
-              {"items", items},
-              {"problems", problems},
-              {"objective", rounded(best.energy)},
-              {"terms", terms},
-              {"iterations", input.annealer.iterations()}}
+  return json{
+      {"name", input.sketch.name},
+      {"seed", input.settings.annealing.seed},
+      {"preset", std::string(objective::nameOf(input.settings.preset))},
+      {"method", input.settings.method},
+      {"lines", input.problem.graph.lines},
+      {"length", input.problem.graph.edges},
+      {"pieces", input.problem.graph.pieces},
+      {"components", components.count},
+      {"beams", check.counts.beams},
+      {"beamsLowerBound", guide::beamsLowerBound(input.problem.graph)},
+      {"bricks", check.counts.bricks},
+      {"gaps", std::max(check.counts.gaps, tallies.gaps)},
+      {"collisions", std::max(check.counts.collisions, tallies.collisions)},
+      {"uncovered", check.counts.uncovered},
+      {"failedConnections", std::max(check.counts.failedConnections, tallies.failedConnections)},
+      {"pinHeadRatio", rounded(1.0 - objective::pinHeadRatio(measures))},
+      {"deviation", rounded(objective::deviation(measures))},
+      {"layerRange", measures.componentRange},
+      {"symmetryDeviation", rounded(measures.symmetryDeviation)},
+      {"mass", rounded(check.counts.mass)},
+      {"size", pointJson(check.counts.size)},
+      {"buildable", check.buildable && tallies.violations() == 0},
+      {"items", items},
+      {"problems", problems},
+      {"objective", rounded(best.energy)},
+      {"terms", terms},
+      {"iterations", input.annealer.iterations()}}
       .dump();
 }
 

@@ -19,8 +19,9 @@ struct ReportInput {
   model::Model model;
 };
 
-//! \brief The report of DESIGN 4 without its times, as JSON. Whether the model is buildable, its gaps,
-//! collisions and the like are what the checks find on the model, not what the search believes.
+//! \brief The report of DESIGN 4 without its times, as JSON. Whether the model is buildable, its
+//! gaps, collisions and the like are what the checks find on the model, not what the search
+//! believes.
 std::string makeReport(const ReportInput& input);
 
 }  // namespace liftarm::design

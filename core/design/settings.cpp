@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "parts/catalogue.h"
@@ -25,26 +26,37 @@ struct NumberKey {
 };
 
 constexpr std::array<NumberKey, 6> kNumberKeys{{
-    {"effort", 0.01, 100.0,
+    {"effort",
+     0.01,
+     100.0,
      [](Settings* s, double v) {
        const double perRun = v * static_cast<double>(s->annealing.iterationsPerRun);
        const double least = v * static_cast<double>(s->annealing.minIterations);
        s->annealing.iterationsPerRun = static_cast<std::uint32_t>(perRun + 1.0);
        s->annealing.minIterations = static_cast<std::uint32_t>(least + 1.0);
      }},
-    {"starts", 1.0, 10000.0,
+    {"starts",
+     1.0,
+     10000.0,
      [](Settings* s, double v) { s->annealing.starts = static_cast<int>(v); }},
-    {"rounds", 0.0, 1000.0,
+    {"rounds",
+     0.0,
+     1000.0,
      [](Settings* s, double v) { s->annealing.maxRounds = static_cast<std::uint32_t>(v); }},
-    {"startTemperature", 1e-3, 1e6,
+    {"startTemperature",
+     1e-3,
+     1e6,
      [](Settings* s, double v) { s->annealing.startTemperature = v; }},
-    {"endTemperature", 1e-4, 1e6,
-     [](Settings* s, double v) { s->annealing.endTemperature = v; }},
-    {"mechanismParts", 1.0, 3.0,
+    {"endTemperature", 1e-4, 1e6, [](Settings* s, double v) { s->annealing.endTemperature = v; }},
+    {"mechanismParts",
+     1.0,
+     3.0,
      [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
 }};
 
-Error invalid(const std::string& message) { return {Status::kInvalidInput, message}; }
+Error invalid(const std::string& message) {
+  return {Status::kInvalidInput, message};
+}
 
 std::vector<std::string> splitList(const std::string& text) {
   std::vector<std::string> items;
@@ -60,7 +72,9 @@ std::vector<std::string> splitList(const std::string& text) {
   return items;
 }
 
-std::string numberText(double v) { return json(v).dump(); }
+std::string numberText(double v) {
+  return json(v).dump();
+}
 
 //! A number, also when it came as text from the command line; NaN when it is neither.
 double numberOf(const json& value) {
@@ -95,10 +109,10 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
   std::vector<int> lengths;
   for (const std::string& item : items) {
     const double number = numberOf(json(item));
-    const auto found =
-        std::find_if(known.begin(), known.end(), [&](int n) { return n == number; });
+    const auto found = std::find_if(known.begin(), known.end(), [&](int n) { return n == number; });
     if (found == known.end()) {
-      return invalid("set.lengths: " + item + " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
+      return invalid("set.lengths: " + item +
+                     " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
     }
     lengths.push_back(*found);
   }

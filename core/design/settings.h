@@ -16,8 +16,10 @@ struct Settings {
   objective::Preset preset = objective::Preset::kSimple;
   std::string method = "default";
   search::AnnealingOptions annealing;
-  std::vector<std::string> connectors{"2780", "6558", "87082", "15100", "48989", "55615"};
-  int mechanismParts = 2;   //!< most connecting parts in one mechanism
+  // 15100 is left out: with it the cheapest corner takes the room that the next one needs (picker
+  // found a layout for 1 of 5 seeds instead of 5).
+  std::vector<std::string> connectors{"2780", "6558", "87082", "48989", "55615"};
+  int mechanismParts = 2;  //!< most connecting parts in one mechanism
 };
 
 //! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.

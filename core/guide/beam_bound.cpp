@@ -26,8 +26,7 @@ int beamsLowerBound(const GuidingGraph& graph) {
     std::vector<bool> bridged(run.nodes.size(), false);
     for (std::size_t j = 0; j < run.junctions.size(); ++j) {
       const Junction& junction = graph.junctions[static_cast<std::size_t>(run.junctions[j])];
-      bridged[static_cast<std::size_t>(run.junctionIndices[j])] =
-          mayBridge(run, junction);
+      bridged[static_cast<std::size_t>(run.junctionIndices[j])] = mayBridge(run, junction);
     }
     total += fewestBeams(run, bridged);
   }

@@ -54,7 +54,9 @@ int groupOfEdge(const sketch::ArrangedJoint& joint, const sketch::ArrangedEdge& 
   return -1;
 }
 
-bool jointSplits(const sketch::Arrangement& arrangement, const sketch::Run& run, std::size_t index) {
+bool jointSplits(const sketch::Arrangement& arrangement,
+                 const sketch::Run& run,
+                 std::size_t index) {
   for (const sketch::ArrangedJoint& joint : arrangement.joints) {
     if (joint.node == run.nodes[index] &&
         groupOfEdge(joint, run.edges[index - 1]) != groupOfEdge(joint, run.edges[index])) {
@@ -89,7 +91,8 @@ std::vector<Axis> allowedAxes(const sketch::Run& run, const Segment& segment) {
   return axes;
 }
 
-void addRuns(const sketch::Arrangement& arrangement, const std::vector<Segment>& segments,
+void addRuns(const sketch::Arrangement& arrangement,
+             const std::vector<Segment>& segments,
              GuidingGraph* graph) {
   for (const Segment& segment : segments) {
     const sketch::Run& source = arrangement.runs[static_cast<std::size_t>(segment.run)];
@@ -106,7 +109,8 @@ void addRuns(const sketch::Arrangement& arrangement, const std::vector<Segment>&
 }
 
 //! Restricts the runs at a joint to its axis where they can have it (paper 5.1, constraint iii).
-void addJoints(const sketch::Arrangement& arrangement, const std::vector<Segment>& segments,
+void addJoints(const sketch::Arrangement& arrangement,
+               const std::vector<Segment>& segments,
                GuidingGraph* graph) {
   for (const sketch::ArrangedJoint& joint : arrangement.joints) {
     GuideJoint guideJoint;
@@ -227,7 +231,8 @@ bool closer(Vec3 a, Vec3 b, double distance) {
   return std::abs(d.x) <= distance && std::abs(d.y) <= distance && std::abs(d.z) <= distance;
 }
 
-//! Fills the lists of what is near what. Bucket lists hold (run, node) pairs as node-of-run indices.
+//! Fills the lists of what is near what. Bucket lists hold (run, node) pairs as node-of-run
+//! indices.
 void addNeighbours(GuidingGraph* graph) {
   BucketMap nodeBuckets;
   std::vector<std::pair<int, Vec3>> runNodes;

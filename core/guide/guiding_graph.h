@@ -9,17 +9,18 @@
 
 namespace liftarm::guide {
 
-//! \brief A run with what the search asks of it: which hole axes it may have, where it may not be passed.
+//! \brief A run with what the search asks of it: which hole axes it may have, where it may not be
+//! passed.
 struct GuideRun {
   lattice::Vec3 direction;
-  std::vector<int> nodes;                  //!< node ids; nodes.size() - 1 unit edges
-  std::vector<lattice::Axis> axes;         //!< hole axes that a beam on it may have, at least one
-  bool exact = false;                      //!< every beam must lie on the line (layer 0)
-  bool principal = false;                  //!< parallel to a principal axis
+  std::vector<int> nodes;           //!< node ids; nodes.size() - 1 unit edges
+  std::vector<lattice::Axis> axes;  //!< hole axes that a beam on it may have, at least one
+  bool exact = false;               //!< every beam must lie on the line (layer 0)
+  bool principal = false;           //!< parallel to a principal axis
   int piece = 0;
-  std::vector<int> junctions;              //!< junction ids, in order along the run
-  std::vector<int> junctionIndices;        //!< their indices among `nodes`
-  std::vector<int> near;                   //!< other runs that a beam of this one could touch
+  std::vector<int> junctions;        //!< junction ids, in order along the run
+  std::vector<int> junctionIndices;  //!< their indices among `nodes`
+  std::vector<int> near;             //!< other runs that a beam of this one could touch
 
   [[nodiscard]] int edgeCount() const { return static_cast<int>(nodes.size()) - 1; }
 };
@@ -27,17 +28,17 @@ struct GuideRun {
 //! \brief Where a run meets a junction.
 struct Incidence {
   int run = -1;
-  int index = 0;   //!< of the node in the run
+  int index = 0;  //!< of the node in the run
 };
 
 //! \brief A node where runs meet or cross, or where a joint splits a run.
 struct Junction {
   int node = -1;
   std::vector<Incidence> incident;
-  int joint = -1;                   //!< index of the joint here, or -1
-  bool bridgeable = false;          //!< no hole axis serves all its runs, and no joint turns here
-  std::vector<int> nearRuns;        //!< runs whose beams could stand near, the incident ones included
-  std::vector<int> nearJunctions;   //!< junctions whose mechanisms could touch this one's
+  int joint = -1;             //!< index of the joint here, or -1
+  bool bridgeable = false;    //!< no hole axis serves all its runs, and no joint turns here
+  std::vector<int> nearRuns;  //!< runs whose beams could stand near, the incident ones included
+  std::vector<int> nearJunctions;  //!< junctions whose mechanisms could touch this one's
 };
 
 //! \brief A joint: the groups of runs that must turn against each other about the axis.
@@ -47,11 +48,11 @@ struct GuideJoint {
   std::vector<std::vector<int>> runGroups;
 };
 
-//! \brief The guiding graph: nodes one unit apart on all lines, unit edges between them (paper 4.2), held
-//! as straight runs, since beams are straight.
+//! \brief The guiding graph: nodes one unit apart on all lines, unit edges between them
+//! (paper 4.2), held as straight runs, since beams are straight.
 struct GuidingGraph {
   std::vector<lattice::Vec3> nodes;
-  std::vector<int> degrees;                //!< unit edges at each node
+  std::vector<int> degrees;  //!< unit edges at each node
   std::vector<GuideRun> runs;
   std::vector<Junction> junctions;
   std::vector<GuideJoint> joints;
@@ -62,9 +63,9 @@ struct GuidingGraph {
   int lines = 0;
 };
 
-//! \brief Whether a mechanism may bridge the edges of a run next to a junction instead of a beam: only where
-//! no single hole axis serves all runs, and only on principal lines, whose next node is on the junction's
-//! lattice, where mechanisms live.
+//! \brief Whether a mechanism may bridge the edges of a run next to a junction instead of a beam:
+//! only where no single hole axis serves all runs, and only on principal lines, whose next node is
+//! on the junction's lattice, where mechanisms live.
 inline bool mayBridge(const GuideRun& run, const Junction& junction) {
   return run.principal && junction.bridgeable;
 }
@@ -73,8 +74,8 @@ inline bool mayBridge(const GuideRun& run, const Junction& junction) {
 inline constexpr int kMaxLayer = 2;
 
 //! \brief Builds the guiding graph of a sketch.
-//! \details A run is split where its edges have different fixed hole axes or exactness, and at joints
-//! whose groups lie on both sides, so that no beam can pass there (paper 5.1).
+//! \details A run is split where its edges have different fixed hole axes or exactness, and at
+//! joints whose groups lie on both sides, so that no beam can pass there (paper 5.1).
 GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch);
 
 }  // namespace liftarm::guide

@@ -13,7 +13,9 @@ using lattice::Axis;
 constexpr double kBeamWeight = 0.5;
 constexpr int kMaxSweeps = 30;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 int axesAt(const Junction& junction, const Orientation& orientation) {
   unsigned seen = 0;
@@ -23,7 +25,9 @@ int axesAt(const Junction& junction, const Orientation& orientation) {
   return static_cast<int>((seen & 1U) + (seen >> 1U & 1U) + (seen >> 2U & 1U));
 }
 
-bool fitsOneBeam(int edges) { return edges == 1 || (edges % 2 == 0 && edges <= kLongestBeam); }
+bool fitsOneBeam(int edges) {
+  return edges == 1 || (edges % 2 == 0 && edges <= kLongestBeam);
+}
 
 //! Beams of a run under this orientation; one more when a single beam would have to stick out.
 double beamsOf(const GuidingGraph& graph, int runId) {
@@ -46,7 +50,8 @@ double beamsOf(const GuidingGraph& graph, int runId) {
   return fits ? 1.0 : 1.5;
 }
 
-//! Cost of all that depends on one run's axis: its junctions, and the beams of the runs that meet there.
+//! Cost of all that depends on one run's axis: its junctions, and the beams of the runs that meet
+//! there.
 double costAround(const GuidingGraph& graph, const Orientation& orientation, int runId) {
   double cost = kBeamWeight * beamsOf(graph, runId);
   for (const int j : graph.runs[at(runId)].junctions) {

@@ -10,13 +10,13 @@ namespace liftarm::guide {
 //! \brief A hole axis for each run.
 using Orientation = std::vector<lattice::Axis>;
 
-//! \brief What stage one minimises: at each junction the number of different hole axes less one (adjacent
-//! node pairs that differ, paper 5.1), and, as tie-break, the fewest beams that cover the runs then
-//! (FINDINGS 3).
+//! \brief What stage one minimises: at each junction the number of different hole axes less one
+//! (adjacent node pairs that differ, paper 5.1), and, as tie-break, the fewest beams that cover the
+//! runs then (FINDINGS 3).
 double orientationCost(const GuidingGraph& graph, const Orientation& orientation);
 
-//! \brief Stage one (paper 5.1): many random starts, each improved run by run until nothing helps, best kept.
-//! \param starts Number of random starts, at least 1.
+//! \brief Stage one (paper 5.1): many random starts, each improved run by run until nothing helps,
+//! best kept. \param starts Number of random starts, at least 1.
 Orientation estimateOrientation(const GuidingGraph& graph, int starts, base::Rng* rng);
 
 }  // namespace liftarm::guide

@@ -8,8 +8,9 @@
 
 namespace liftarm::layout {
 
-//! \brief A beam in use on a run: holes at the run's nodes start .. start + holes - 1. It may stick out
-//! past the run's ends by one module. It may be one arm of an L beam, whose other arm is on run `mate`.
+//! \brief A beam in use on a run: holes at the run's nodes start .. start + holes - 1. It may stick
+//! out past the run's ends by one module. It may be one arm of an L beam, whose other arm is on run
+//! `mate`.
 struct Beam {
   int start = 0;
   int holes = 2;
@@ -19,8 +20,7 @@ struct Beam {
   [[nodiscard]] int last() const { return start + holes - 1; }
 
   friend bool operator==(const Beam& a, const Beam& b) {
-    return a.start == b.start && a.holes == b.holes && a.layer == b.layer &&
-           a.mate == b.mate;
+    return a.start == b.start && a.holes == b.holes && a.layer == b.layer && a.mate == b.mate;
   }
 };
 
@@ -35,22 +35,27 @@ struct Cover {
 };
 
 //! \brief Middle of the hole at a run's node index on a layer, world.
-inline lattice::Vec3 holePosition(const guide::GuidingGraph& graph, const guide::GuideRun& run,
-                                  lattice::Axis axis, double index, int layer) {
+inline lattice::Vec3 holePosition(const guide::GuidingGraph& graph,
+                                  const guide::GuideRun& run,
+                                  lattice::Axis axis,
+                                  double index,
+                                  int layer) {
   const lattice::Vec3 first = graph.nodes[static_cast<std::size_t>(run.nodes.front())];
   return first + index * run.direction + static_cast<double>(layer) * lattice::unitVector(axis);
 }
 
-inline Stadium stadiumOf(const guide::GuidingGraph& graph, const guide::GuideRun& run,
-                         lattice::Axis axis, const Beam& beam) {
+inline Stadium stadiumOf(const guide::GuidingGraph& graph,
+                         const guide::GuideRun& run,
+                         lattice::Axis axis,
+                         const Beam& beam) {
   return {holePosition(graph, run, axis, beam.start, beam.layer),
           holePosition(graph, run, axis, beam.last(), beam.layer),
           axis};
 }
 
-//! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those that both have
-//! and that are no junction (junctions are pinned by their own group), the first and the last.
-//! \return Node indices; empty when all shared nodes are junctions.
+//! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those that
+//! both have and that are no junction (junctions are pinned by their own group), the first and the
+//! last. \return Node indices; empty when all shared nodes are junctions.
 std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
 
 //! \brief Whether two beams are the arms of one L beam.
@@ -61,7 +66,8 @@ inline bool isOneBeam(int runA, const Beam& a, int runB, const Beam& b) {
 //! \brief Node index, on run `run`, where it meets run `mate`; -1 when they do not meet.
 int cornerIndex(const guide::GuidingGraph& graph, int run, int mate);
 
-//! \brief Number of real parts that a beam of this many holes is made of: two thin ones for 4 and 6.
+//! \brief Number of real parts that a beam of this many holes is made of: two thin ones for 4
+//! and 6.
 int partsOfBeam(int holes);
 
 }  // namespace liftarm::layout

@@ -7,7 +7,9 @@ namespace liftarm::layout {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 int rootOf(std::vector<int>* parents, int i) {
   while ((*parents)[at(i)] != i) {

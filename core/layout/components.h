@@ -6,7 +6,8 @@
 
 namespace liftarm::layout {
 
-//! \brief Component of each run: runs that meet, lie in one plane and have one hole axis (paper 5.1).
+//! \brief Component of each run: runs that meet, lie in one plane and have one hole axis
+//! (paper 5.1).
 struct Components {
   std::vector<int> ofRun;
   int count = 0;

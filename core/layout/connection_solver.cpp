@@ -18,7 +18,7 @@ using mechanisms::TableEntry;
 
 constexpr double kDanglingCost = 0.3;    // a head that holds nothing, in parts
 constexpr double kExtraHoleBonus = 0.2;  // a second head in one beam makes the corner stiffer
-constexpr std::size_t kMaxCandidates = 96;
+constexpr std::size_t kMaxCandidates = 160;
 constexpr int kMaxNodes = 400;
 constexpr std::size_t kKnownLimit = 400000;
 
@@ -30,8 +30,8 @@ struct Candidate {
 };
 
 bool nearCentre(Cell c, int radius) {
-  return c.x >= -radius && c.x <= radius && c.y >= -radius && c.y <= radius && c.z >= -radius &&
-         c.z <= radius;
+  return c.x * c.x + c.y * c.y + c.z * c.z <= kReachSquared && c.x >= -radius && c.x <= radius &&
+         c.y >= -radius && c.y <= radius && c.z >= -radius && c.z <= radius;
 }
 
 class Search {
@@ -60,8 +60,11 @@ class Search {
     return static_cast<int>(std::bitset<32>(seen).count());
   }
 
-  //! Only a single pin through the joint's own axis may join beams that must turn against each other.
-  [[nodiscard]] bool respectsJoint(const OrientedMechanism& m, Cell at, std::uint32_t joined) const {
+  //! Only a single pin through the joint's own axis may join beams that must turn against each
+  //! other.
+  [[nodiscard]] bool respectsJoint(const OrientedMechanism& m,
+                                   Cell at,
+                                   std::uint32_t joined) const {
     if (!problem_.isJoint) {
       return true;
     }
@@ -114,7 +117,7 @@ class Search {
         return;
       }
       if (hole->terminal < 0) {
-        strangers = true;   // a beam of a neighbouring junction is held too
+        strangers = true;  // a beam of a neighbouring junction is held too
         continue;
       }
       const std::uint32_t bit = 1U << static_cast<unsigned>(hole->terminal);
@@ -187,7 +190,8 @@ class Search {
     return true;
   }
 
-  void descend(const std::array<std::int8_t, LocalProblem::kMaxTerminals>& cluster, int left,
+  void descend(const std::array<std::int8_t, LocalProblem::kMaxTerminals>& cluster,
+               int left,
                double cost) {
     if (left < best_.failed || (left == best_.failed && cost < best_.cost)) {
       best_.mechanisms = chosen_;
@@ -205,10 +209,10 @@ class Search {
         }
       }
       const int gain = static_cast<int>(std::bitset<32>(joined).count()) - 1;
-      // Always grow the cluster of the first beam: every set of mechanisms is tried in one order only.
+      // Always grow the cluster of the first beam: every set of mechanisms is tried in one order
+      // only.
       const bool growsFirst = (joined >> static_cast<unsigned>(cluster[0]) & 1U) != 0U;
-      if (gain <= 0 || !growsFirst ||
-          (best_.failed == 0 && cost + candidate.cost >= best_.cost)) {
+      if (gain <= 0 || !growsFirst || (best_.failed == 0 && cost + candidate.cost >= best_.cost)) {
         continue;
       }
       const bool fitsAll =
@@ -331,8 +335,8 @@ std::uint64_t LocalProblem::hash() const {
     const auto at = static_cast<std::size_t>(t);
     hash = base::mixHash(hash, static_cast<std::uint64_t>(cluster[at] * 64 + group[at] + 1));
   }
-  return base::mixHash(
-      hash, isJoint ? 1U + static_cast<std::uint64_t>(lattice::index(jointAxis)) : 0U);
+  return base::mixHash(hash,
+                       isJoint ? 1U + static_cast<std::uint64_t>(lattice::index(jointAxis)) : 0U);
 }
 
 const Connection& ConnectionSolver::solve(const LocalProblem& problem) {

@@ -10,7 +10,8 @@
 
 namespace liftarm::layout {
 
-//! \brief A mechanism in use at a junction: which, and where its origin is relative to the junction.
+//! \brief A mechanism in use at a junction: which, and where its origin is relative to the
+//! junction.
 struct PlacedMechanism {
   std::int32_t oriented = -1;
   lattice::Cell at;
@@ -19,15 +20,15 @@ struct PlacedMechanism {
 //! \brief How the beams of one junction are joined.
 struct Connection {
   std::vector<PlacedMechanism> mechanisms;
-  int failed = 0;       //!< clusters of beams left, minus one (DESIGN 7)
-  double cost = 0.0;    //!< of the mechanisms, in parts
+  int failed = 0;     //!< clusters of beams left, minus one (DESIGN 7)
+  double cost = 0.0;  //!< of the mechanisms, in parts
 };
 
 //! \brief A free or used hole of a beam in the box.
 struct LocalHole {
   lattice::Cell at;
   lattice::Axis axis = lattice::Axis::kX;
-  int terminal = -1;    //!< beam to be joined, by its number, or -1: another beam
+  int terminal = -1;  //!< beam to be joined, by its number, or -1: another beam
   bool used = false;
 };
 
@@ -51,27 +52,28 @@ class LocalProblem {
   void join(int terminalA, int terminalB);
 
   int terminals = 0;
-  bool isJoint = false;                              //!< groups may be joined by one coaxial pin only
+  bool isJoint = false;  //!< groups may be joined by one coaxial pin only
   lattice::Axis jointAxis = lattice::Axis::kX;
-  std::array<std::int8_t, kMaxTerminals> group{};    //!< joint group of each terminal, -1: any
+  std::array<std::int8_t, kMaxTerminals> group{};  //!< joint group of each terminal, -1: any
   std::array<std::int8_t, kMaxTerminals> cluster{};
 
   [[nodiscard]] const LocalHole* holeAt(int cell) const;
   [[nodiscard]] bool blocked(int cell) const;
+
   [[nodiscard]] const std::vector<LocalHole>& holes() const { return holes_; }
 
   //! \brief Equal for equal problems; the order in which they were described does not matter.
   [[nodiscard]] std::uint64_t hash() const;
 
  private:
-  std::array<std::int16_t, kBoxCells> content_{};    //!< 0 empty, -1 blocked, else hole number + 1
+  std::array<std::int16_t, kBoxCells> content_{};  //!< 0 empty, -1 blocked, else hole number + 1
   std::vector<LocalHole> holes_;
   std::vector<int> touched_;
 };
 
-//! \brief The beam connection procedure (paper 5.2) for one junction: the cheapest set of mechanisms that
-//! joins all its beams, stacks and posts together (DESIGN 7), by depth-first search over the mechanisms
-//! that fit, with a bound. Answers are kept by the hash of the problem.
+//! \brief The beam connection procedure (paper 5.2) for one junction: the cheapest set of
+//! mechanisms that joins all its beams, stacks and posts together (DESIGN 7), by depth-first search
+//! over the mechanisms that fit, with a bound. Answers are kept by the hash of the problem.
 class ConnectionSolver {
  public:
   explicit ConnectionSolver(const mechanisms::MechanismTable& table) : table_(&table) {}
@@ -81,11 +83,12 @@ class ConnectionSolver {
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return *table_; }
 
   [[nodiscard]] std::size_t hits() const { return hits_; }
+
   [[nodiscard]] std::size_t misses() const { return misses_; }
 
  private:
   const mechanisms::MechanismTable* table_;
-  std::unordered_map<std::uint64_t, Connection> known_;   // looked up only, never walked
+  std::unordered_map<std::uint64_t, Connection> known_;  // looked up only, never walked
   std::size_t hits_ = 0;
   std::size_t misses_ = 0;
 };

@@ -13,9 +13,12 @@ namespace {
 using lattice::Axis;
 using lattice::Cell;
 
-constexpr int kMostInStack = 3;   // one pin of three modules holds no more
+constexpr int kMostInStack = 3;  // one pin of three modules holds no more
+constexpr int kFewFailures = 4;  // with more, other moves are worth more than giveWay()
 
-std::size_t at(int id) { return static_cast<std::size_t>(id); }
+std::size_t at(int id) {
+  return static_cast<std::size_t>(id);
+}
 
 }  // namespace
 
@@ -26,7 +29,7 @@ LayoutProblem makeLayoutProblem(guide::GuidingGraph graph) {
   for (std::size_t j = 0; j < problem.views.size(); ++j) {
     for (std::size_t v = 0; v < problem.views[j].runs.size(); ++v) {
       problem.seenBy[at(problem.views[j].runs[v].run)].emplace_back(static_cast<int>(j),
-                                                                   static_cast<int>(v));
+                                                                    static_cast<int>(v));
     }
   }
   problem.graph = std::move(graph);
@@ -52,7 +55,8 @@ void Layout::addRun(const RunState& state, int run, int sign) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   for (std::size_t b = 0; b < state.cover.beams.size(); ++b) {
     const Beam& beam = state.cover.beams[b];
-    // Of an L beam's arms the one on the lower run counts the beam, the other leaves out the corner.
+    // Of an L beam's arms the one on the lower run counts the beam, the other leaves out the
+    // corner.
     const bool second = beam.mate >= 0 && beam.mate < run;
     const int holes = second ? beam.holes - 1 : beam.holes;
     tallies_.beams += second ? 0 : sign * partsOfBeam(beam.holes);
@@ -119,10 +123,10 @@ int Layout::forbiddenOf(int run, const Cover& cover) const {
   int count = 0;
   for (const Beam& beam : cover.beams) {
     for (int i = beam.start; i <= beam.last(); ++i) {
-      count += forbiddenAt(
-                   graph, holePosition(graph, graph.runs[at(run)], cover.axis, i, beam.layer))
-                   ? 1
-                   : 0;
+      count +=
+          forbiddenAt(graph, holePosition(graph, graph.runs[at(run)], cover.axis, i, beam.layer))
+              ? 1
+              : 0;
     }
   }
   return count;
@@ -142,7 +146,8 @@ void Layout::changeCollisions(int run, int delta) {
 std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
   std::uint64_t hash = static_cast<std::uint64_t>(lattice::index(cover.axis));
   for (const Beam& beam : cover.beams) {
-    if (static_cast<double>(beam.last()) < view.low || static_cast<double>(beam.start) > view.high) {
+    if (static_cast<double>(beam.last()) < view.low ||
+        static_cast<double>(beam.start) > view.high) {
       continue;
     }
     const int first = std::max(beam.start, static_cast<int>(view.low) - 2);
@@ -219,7 +224,56 @@ void Layout::settle() {
     addJunction(junctions_[at(junction)], junction, 1);
     stale_[at(junction)] = 0;
   }
+  if (tallies_.failedConnections <= kFewFailures) {
+    for (const int junction : staleList_) {
+      if (junctions_[at(junction)].connection.failed > 0) {
+        giveWay(junction);
+      }
+    }
+  }
   staleList_.clear();
+}
+
+//! Where a junction failed, its neighbours' mechanisms may stand in its way: it chooses first, they
+//! after it, and that stays when fewer connections fail then.
+void Layout::giveWay(int junction) {
+  std::vector<int> order{junction};
+  for (const int other : problem_->graph.junctions[at(junction)].nearJunctions) {
+    const Connection& connection = junctions_[at(other)].connection;
+    if (!connection.mechanisms.empty()) {
+      order.push_back(other);
+    }
+  }
+  // Junctions that lean on one of these from outside would have to follow: leave those alone.
+  for (const int j : order) {
+    for (const int other : problem_->graph.junctions[at(j)].nearJunctions) {
+      if (junctions_[at(other)].leans &&
+          std::find(order.begin(), order.end(), other) == order.end()) {
+        return;
+      }
+    }
+  }
+  int before = 0;
+  std::vector<JunctionState> states;
+  for (const int j : order) {
+    saveJunction(j);
+    states.push_back(junctions_[at(j)]);
+    before += states.back().connection.failed;
+    junctions_[at(j)] = JunctionState{};
+  }
+  int after = 0;
+  for (const int j : order) {
+    solveJunction(j);
+    after += junctions_[at(j)].connection.failed;
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (after < before) {
+      addJunction(states[i], order[i], -1);
+      addJunction(junctions_[at(order[i])], order[i], 1);
+    } else {
+      junctions_[at(order[i])] = std::move(states[i]);
+    }
+  }
 }
 
 void Layout::settleAll() {
@@ -278,9 +332,9 @@ void Layout::setWeights(std::vector<double> junctionWeights, std::vector<double>
     weighted_ += static_cast<double>(junctions_[j].violations()) * junctionWeights_[j];
   }
   for (std::size_t r = 0; r < runs_.size(); ++r) {
-    weighted_ += (0.5 * static_cast<double>(runs_[r].collisions) +
-                  static_cast<double>(runs_[r].forbidden)) *
-                 runWeights_[r];
+    weighted_ +=
+        (0.5 * static_cast<double>(runs_[r].collisions) + static_cast<double>(runs_[r].forbidden)) *
+        runWeights_[r];
   }
 }
 

@@ -10,24 +10,25 @@
 
 namespace liftarm::layout {
 
-//! \brief Sums over a layout, kept up to date by every edit; the objective's terms are made of them.
+//! \brief Sums over a layout, kept up to date by every edit; the objective's terms are made of
+//! them.
 struct Tallies {
-  int beams = 0;                 //!< real beam parts (4 and 6 holes count two)
-  int holes = 0;                 //!< total length, in holes (paper 4.3, sum of L)
-  int layerSquares = 0;          //!< sum of holes times layer squared (paper 4.3, F_dev)
-  int overhang = 0;              //!< beam ends past the end of their run
-  int hinges = 0;                //!< beams in line that share one hole only (FINDINGS 5)
-  int collisions = 0;            //!< pairs of beams that interpenetrate
-  int forbidden = 0;             //!< holes below the ground or in a keep-out box
-  int gaps = 0;                  //!< empty layers within stacks (DESIGN 7)
-  int overfull = 0;              //!< beams beyond three in one stack
-  int failedConnections = 0;     //!< clusters left at junctions, minus one each (DESIGN 7)
-  int connectors = 0;            //!< connecting parts
+  int beams = 0;              //!< real beam parts (4 and 6 holes count two)
+  int holes = 0;              //!< total length, in holes (paper 4.3, sum of L)
+  int layerSquares = 0;       //!< sum of holes times layer squared (paper 4.3, F_dev)
+  int overhang = 0;           //!< beam ends past the end of their run
+  int hinges = 0;             //!< beams in line that share one hole only (FINDINGS 5)
+  int collisions = 0;         //!< pairs of beams that interpenetrate
+  int forbidden = 0;          //!< holes below the ground or in a keep-out box
+  int gaps = 0;               //!< empty layers within stacks (DESIGN 7)
+  int overfull = 0;           //!< beams beyond three in one stack
+  int failedConnections = 0;  //!< clusters left at junctions, minus one each (DESIGN 7)
+  int connectors = 0;         //!< connecting parts
   int mechanisms = 0;
   int mechanismHeads = 0;
   int mechanismCells = 0;
-  double pinHeadRatios = 0.0;    //!< sum over mechanisms (paper 4.1)
-  double connectionCost = 0.0;   //!< sum of Connection::cost
+  double pinHeadRatios = 0.0;   //!< sum over mechanisms (paper 4.1)
+  double connectionCost = 0.0;  //!< sum of Connection::cost
 
   [[nodiscard]] int violations() const {
     return collisions + forbidden + gaps + overfull + failedConnections;
@@ -39,7 +40,7 @@ struct JunctionState {
   Connection connection;
   int gaps = 0;
   int overfull = 0;
-  bool leans = false;   //!< some of its beams are joined by a neighbouring junction's mechanism
+  bool leans = false;  //!< some of its beams are joined by a neighbouring junction's mechanism
 
   [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
 };
@@ -47,15 +48,16 @@ struct JunctionState {
 //! \brief What one run adds to the tallies besides its cover.
 struct RunState {
   Cover cover;
-  int collisions = 0;   //!< pairs of beams of which at least one is on this run
+  int collisions = 0;  //!< pairs of beams of which at least one is on this run
   int forbidden = 0;
 };
 
 //! \brief The fixed part of a layout problem, shared by all layouts of one sketch.
 struct LayoutProblem {
   guide::GuidingGraph graph;
-  std::vector<LocalView> views;                         //!< by junction
-  std::vector<std::vector<std::pair<int, int>>> seenBy; //!< by run: (junction, index of its RunView)
+  std::vector<LocalView> views;  //!< by junction
+  std::vector<std::vector<std::pair<int, int>>>
+      seenBy;  //!< by run: (junction, index of its RunView)
 };
 
 LayoutProblem makeLayoutProblem(guide::GuidingGraph graph);
@@ -81,11 +83,15 @@ class Layout {
   void settleAll();
 
   [[nodiscard]] const Tallies& tallies() const { return tallies_; }
+
   [[nodiscard]] const LayoutProblem& problem() const { return *problem_; }
+
   [[nodiscard]] const RunState& run(int id) const { return runs_[static_cast<std::size_t>(id)]; }
+
   [[nodiscard]] const JunctionState& junction(int id) const {
     return junctions_[static_cast<std::size_t>(id)];
   }
+
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return solver_->table(); }
 
   //! \brief Violations weighted by place: what a search that is stuck raises (setWeights).
@@ -93,7 +99,9 @@ class Layout {
 
   //! \brief Weights of violations by junction and by run, each at least 0. Sizes as in the graph.
   void setWeights(std::vector<double> junctionWeights, std::vector<double> runWeights);
+
   [[nodiscard]] const std::vector<double>& junctionWeights() const { return junctionWeights_; }
+
   [[nodiscard]] const std::vector<double>& runWeights() const { return runWeights_; }
 
   //! \brief Tallies counted again from the covers and connections alone; equal to tallies() always.
@@ -109,6 +117,7 @@ class Layout {
   [[nodiscard]] int forbiddenOf(int run, const Cover& cover) const;
   void changeCollisions(int run, int delta);
   void solveJunction(int junction);
+  void giveWay(int junction);
   bool fillProblem(int junction);
   void fillRun(const RunView& view);
   bool fillOthers(int junction);
@@ -136,6 +145,7 @@ class Layout {
   std::vector<std::uint8_t> stale_;
   std::vector<int> staleList_;
   LocalProblem local_;
+  int localPiece_ = 0;
   std::vector<std::pair<int, int>> localTerminals_;
 };
 

@@ -16,7 +16,9 @@ using mechanisms::OrientedMechanism;
 //! Connectors on another lattice than the box's keep this far from its cells, on some axis.
 constexpr double kApart = 0.95;
 
-std::size_t at(int id) { return static_cast<std::size_t>(id); }
+std::size_t at(int id) {
+  return static_cast<std::size_t>(id);
+}
 
 Cell unitCell(Axis axis) {
   Cell cell;
@@ -24,14 +26,16 @@ Cell unitCell(Axis axis) {
   return cell;
 }
 
-Cell scaled(int s, Cell c) { return {s * c.x, s * c.y, s * c.z}; }
+Cell scaled(int s, Cell c) {
+  return {s * c.x, s * c.y, s * c.z};
+}
 
 //! Whether beam b of the cover is pinned at node i to the beam before or after it.
 bool pinnedInline(const guide::GuideRun& run, const Cover& cover, std::size_t b, int i) {
   for (const std::size_t other : {b - 1, b + 1}) {
-    if (other < cover.beams.size()) {   // b - 1 wraps around for the first beam
-      const std::vector<int> pins = inlinePins(
-          run, cover.beams[std::min(b, other)], cover.beams[std::max(b, other)]);
+    if (other < cover.beams.size()) {  // b - 1 wraps around for the first beam
+      const std::vector<int> pins =
+          inlinePins(run, cover.beams[std::min(b, other)], cover.beams[std::max(b, other)]);
       if (std::find(pins.begin(), pins.end(), i) != pins.end()) {
         return true;
       }
@@ -55,7 +59,9 @@ void blockAround(LocalProblem* local, Vec3 p) {
 }
 
 //! Enters a neighbouring junction's mechanism; terminals whose holes it fills are joined already.
-bool enterMechanism(LocalProblem* local, const OrientedMechanism& m, const PlacedMechanism& placed,
+bool enterMechanism(LocalProblem* local,
+                    const OrientedMechanism& m,
+                    const PlacedMechanism& placed,
                     const JunctionView& other) {
   int joined = -1;
   bool leans = false;
@@ -74,7 +80,9 @@ bool enterMechanism(LocalProblem* local, const OrientedMechanism& m, const Place
       continue;
     }
     const LocalHole* hole = local->holeAt(boxIndex(p));
-    if (hole != nullptr && hole->terminal >= 0 && hole->axis == cell.axis && !local->isJoint) {
+    const bool near = p.x * p.x + p.y * p.y + p.z * p.z <= kReachSquared;
+    if (hole != nullptr && hole->terminal >= 0 && near && hole->axis == cell.axis &&
+        !local->isJoint) {
       if (joined >= 0 && joined != hole->terminal) {
         local->join(joined, hole->terminal);
         leans = true;
@@ -86,7 +94,9 @@ bool enterMechanism(LocalProblem* local, const OrientedMechanism& m, const Place
   return leans;
 }
 
-bool covers(const Beam& beam, int edge) { return beam.start <= edge && beam.last() >= edge + 1; }
+bool covers(const Beam& beam, int edge) {
+  return beam.start <= edge && beam.last() >= edge + 1;
+}
 
 }  // namespace
 
@@ -126,9 +136,12 @@ void Layout::fillRun(const RunView& view) {
   const guide::GuideRun& run = problem_->graph.runs[at(view.run)];
   const Cover& cover = runs_[at(view.run)].cover;
   const Cell axisStep = unitCell(cover.axis);
+  // Parts of the sketch that do not touch stay apart: no pin may enter another piece's beams.
+  const bool foreign = run.piece != localPiece_;
   for (std::size_t b = 0; b < cover.beams.size(); ++b) {
     const Beam& beam = cover.beams[b];
-    if (static_cast<double>(beam.last()) < view.low || static_cast<double>(beam.start) > view.high) {
+    if (static_cast<double>(beam.last()) < view.low ||
+        static_cast<double>(beam.start) > view.high) {
       continue;
     }
     int terminal = -1;
@@ -147,7 +160,7 @@ void Layout::fillRun(const RunView& view) {
            ++i) {
         const Cell cell = view.base + scaled(i, view.step) + shift;
         if (inBox(cell) && i != corner) {
-          local_.addHole({cell, cover.axis, terminal, pinnedInline(run, cover, b, i)});
+          local_.addHole({cell, cover.axis, terminal, foreign || pinnedInline(run, cover, b, i)});
         }
       }
       continue;
@@ -163,7 +176,7 @@ void Layout::fillRun(const RunView& view) {
     for (const auto& [i, nodeCell] : view.onLattice) {
       const Cell cell = nodeCell + shift;
       if (beam.start <= i && beam.last() >= i && inBox(cell)) {
-        local_.addHole({cell, cover.axis, terminal, pinnedInline(run, cover, b, i)});
+        local_.addHole({cell, cover.axis, terminal, foreign || pinnedInline(run, cover, b, i)});
       }
     }
   }
@@ -188,6 +201,7 @@ bool Layout::fillOthers(int junction) {
 bool Layout::fillProblem(int junction) {
   const guide::Junction& guideJunction = problem_->graph.junctions[at(junction)];
   local_.clear();
+  localPiece_ = problem_->graph.runs[at(guideJunction.incident.front().run)].piece;
   local_.terminals = static_cast<int>(localTerminals_.size());
   // Off-lattice beams first: their shadows must not cover the holes of beams on the lattice.
   for (const bool aligned : {false, true}) {
@@ -203,7 +217,9 @@ bool Layout::fillProblem(int junction) {
     for (std::size_t b = a + 1; b < localTerminals_.size(); ++b) {
       const auto [runA, beamA] = localTerminals_[a];
       const auto [runB, beamB] = localTerminals_[b];
-      if (isOneBeam(runA, runs_[at(runA)].cover.beams[at(beamA)], runB,
+      if (isOneBeam(runA,
+                    runs_[at(runA)].cover.beams[at(beamA)],
+                    runB,
                     runs_[at(runB)].cover.beams[at(beamB)])) {
         local_.join(static_cast<int>(a), static_cast<int>(b));
       }
@@ -232,7 +248,8 @@ bool Layout::fillProblem(int junction) {
   return leans;
 }
 
-//! The usual case in a plane, without a search: all beams stacked without a gap, one pin through them.
+//! The usual case in a plane, without a search: all beams stacked without a gap, one pin through
+//! them.
 bool Layout::plainStack(int junction, Connection* connection) const {
   const std::size_t count = localTerminals_.size();
   if (count < 2 || count > 3) {

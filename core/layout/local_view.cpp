@@ -27,7 +27,8 @@ std::optional<Cell> wholeCell(Vec3 p) {
   return cell;
 }
 
-//! Range of node indices in which the run's middle line is within `reach` of the origin on all axes.
+//! Range of node indices in which the run's middle line is within `reach` of the origin on all
+//! axes.
 std::pair<double, double> windowOf(Vec3 first, Vec3 direction, double reach) {
   double low = -1e9;
   double high = 1e9;
@@ -46,7 +47,8 @@ std::pair<double, double> windowOf(Vec3 first, Vec3 direction, double reach) {
   return {low, high};
 }
 
-//! Cells that a beam on this line (first hole of node 0 at `first`, on its layer) blocks, and where.
+//! Cells that a beam on this line (first hole of node 0 at `first`, on its layer) blocks, and
+//! where.
 std::vector<Shadow> shadowsOf(Vec3 first, Vec3 direction, Axis axis) {
   std::vector<Shadow> shadows;
   const int k = lattice::index(axis);
@@ -99,8 +101,7 @@ RunView viewOfRun(const guide::GuidingGraph& graph, int runId, Vec3 origin) {
   }
   for (std::size_t a = 0; a < run.axes.size() && a < 2; ++a) {
     for (int layer = -guide::kMaxLayer; layer <= guide::kMaxLayer; ++layer) {
-      const Vec3 shifted =
-          first + static_cast<double>(layer) * lattice::unitVector(run.axes[a]);
+      const Vec3 shifted = first + static_cast<double>(layer) * lattice::unitVector(run.axes[a]);
       view.shadows[a][static_cast<std::size_t>(layer + guide::kMaxLayer)] =
           shadowsOf(shifted, run.direction, run.axes[a]);
     }
@@ -153,15 +154,14 @@ bool forbiddenAt(const guide::GuidingGraph& graph, Vec3 point) {
   if (graph.ground && point.z < *graph.ground - kSlack) {
     return true;
   }
-  return std::any_of(
-      graph.keepOut.begin(), graph.keepOut.end(), [&](const sketch::KeepOut& box) {
-        for (int i = 0; i < 3; ++i) {
-          if (point[i] < box.min[i] - kSlack || point[i] > box.max[i] + kSlack) {
-            return false;
-          }
-        }
-        return true;
-      });
+  return std::any_of(graph.keepOut.begin(), graph.keepOut.end(), [&](const sketch::KeepOut& box) {
+    for (int i = 0; i < 3; ++i) {
+      if (point[i] < box.min[i] - kSlack || point[i] > box.max[i] + kSlack) {
+        return false;
+      }
+    }
+    return true;
+  });
 }
 
 std::vector<LocalView> buildLocalViews(const guide::GuidingGraph& graph) {

@@ -16,6 +16,9 @@ inline constexpr int kBoxSide = 2 * kBoxRadius + 1;
 inline constexpr int kBoxCells = kBoxSide * kBoxSide * kBoxSide;
 inline constexpr int kLayerCount = 2 * guide::kMaxLayer + 1;
 
+//! Holes farther than this from a junction join nothing there: three modules, squared.
+inline constexpr int kReachSquared = 9;
+
 constexpr bool inBox(lattice::Cell c) {
   return c.x >= -kBoxRadius && c.x <= kBoxRadius && c.y >= -kBoxRadius && c.y <= kBoxRadius &&
          c.z >= -kBoxRadius && c.z <= kBoxRadius;
@@ -25,7 +28,8 @@ constexpr int boxIndex(lattice::Cell c) {
   return ((c.x + kBoxRadius) * kBoxSide + c.y + kBoxRadius) * kBoxSide + c.z + kBoxRadius;
 }
 
-//! \brief A cell that a beam off the junction's lattice blocks while it covers any of [low, high] of its run.
+//! \brief A cell that a beam off the junction's lattice blocks while it covers any of [low, high]
+//! of its run.
 struct Shadow {
   int cell = 0;
   double low = 0.0;
@@ -35,13 +39,14 @@ struct Shadow {
 //! \brief How one run lies in the box around a junction.
 struct RunView {
   int run = -1;
-  int incidentIndex = -1;              //!< node index at the junction if the run passes there, else -1
-  bool aligned = false;                //!< its nodes are cells of the box's lattice, one step apart
-  lattice::Cell base;                  //!< aligned: cell of node 0, layer 0
-  lattice::Cell step;                  //!< aligned: from node to node
-  double low = 0.0;                    //!< node indices between which beams can matter here
+  int incidentIndex = -1;  //!< node index at the junction if the run passes there, else -1
+  bool aligned = false;    //!< its nodes are cells of the box's lattice, one step apart
+  lattice::Cell base;      //!< aligned: cell of node 0, layer 0
+  lattice::Cell step;      //!< aligned: from node to node
+  double low = 0.0;        //!< node indices between which beams can matter here
   double high = -1.0;
-  std::vector<std::pair<int, lattice::Cell>> onLattice;   //!< not aligned: nodes that are cells, layer 0
+  std::vector<std::pair<int, lattice::Cell>>
+      onLattice;  //!< not aligned: nodes that are cells, layer 0
   //! Not aligned: blocked cells by place of the hole axis in the run's axes, and layer.
   std::array<std::array<std::vector<Shadow>, kLayerCount>, 2> shadows;
 };
@@ -50,15 +55,15 @@ struct RunView {
 struct JunctionView {
   int junction = -1;
   bool aligned = false;
-  lattice::Cell shift;                 //!< aligned: the other junction's cell
-  lattice::Vec3 offset;                //!< its place relative to this one
+  lattice::Cell shift;   //!< aligned: the other junction's cell
+  lattice::Vec3 offset;  //!< its place relative to this one
 };
 
 //! \brief All that does not change while one junction is solved again and again.
 struct LocalView {
   std::vector<RunView> runs;
   std::vector<JunctionView> junctions;
-  std::vector<int> forbidden;          //!< box cells below the ground or in a keep-out box
+  std::vector<int> forbidden;  //!< box cells below the ground or in a keep-out box
 };
 
 //! \brief Cells closer to an off-lattice beam's middle line than this hold no connector.

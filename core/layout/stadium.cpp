@@ -58,8 +58,8 @@ bool overlapSameAxis(const Stadium& a, const Stadium& b) {
                                 across(b.to, b.axis)) < reach * reach;
 }
 
-//! Height of the stadium's upper outline over position s; the outline is the highest of both round ends
-//! and of the straight flank between them.
+//! Height of the stadium's upper outline over position s; the outline is the highest of both round
+//! ends and of the straight flank between them.
 double upperOutline(Point2 a, Point2 b, double s) {
   double best = -1e30;
   for (const Point2 end : {a, b}) {
@@ -83,7 +83,8 @@ double upperOutline(Point2 a, Point2 b, double s) {
   return best;
 }
 
-//! Highest v that the stadium reaches for u in [low, high]; very low when it does not reach the strip.
+//! Highest v that the stadium reaches for u in [low, high]; very low when it does not reach the
+//! strip.
 double highest(Point2 a, Point2 b, double low, double high) {
   if (std::max(a.u, b.u) + kBeamRadius <= low || std::min(a.u, b.u) - kBeamRadius >= high) {
     return -1e30;

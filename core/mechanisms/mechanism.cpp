@@ -57,7 +57,8 @@ void sortHeadsFirst(std::vector<MechanismCell>* cells) {
   });
 }
 
-//! The part as a mechanism of one, its first slot at the origin; empty when it is not on the lattice.
+//! The part as a mechanism of one, its first slot at the origin; empty when it is not on the
+//! lattice.
 std::optional<Mechanism> fromPart(const parts::Part& part) {
   if (part.features.empty() || part.features.front().slots.empty()) {
     return std::nullopt;
@@ -179,8 +180,11 @@ bool usable(const Mechanism& mechanism) {
 }
 
 //! All ways to add `piece` to `base` by one fitting pair of cells.
-void extend(const Mechanism& base, const Mechanism& piece, int maxCells,
-            std::set<ShapeKey>* seen, std::vector<Mechanism>* out) {
+void extend(const Mechanism& base,
+            const Mechanism& piece,
+            int maxCells,
+            std::set<ShapeKey>* seen,
+            std::vector<Mechanism>* out) {
   for (const Mat3& rotation : lattice::latticeRotations()) {
     const Mechanism turnedPiece = rotated(piece, rotation);
     for (const MechanismCell& onBase : base.cells) {
@@ -207,8 +211,8 @@ bool bodyContained(const Mechanism& small, const Mechanism& large) {
         break;
       }
       const Cell shift = anchor.at - candidate.cells.front().at;
-      const bool inside = std::all_of(
-          candidate.cells.begin(), candidate.cells.end(), [&](const MechanismCell& c) {
+      const bool inside =
+          std::all_of(candidate.cells.begin(), candidate.cells.end(), [&](const MechanismCell& c) {
             return std::any_of(large.cells.begin(), large.cells.end(), [&](const MechanismCell& l) {
               return l.at == c.at + shift && l.head == c.head && (!c.head || l.axis == c.axis);
             });

@@ -11,10 +11,10 @@ namespace liftarm::mechanisms {
 
 //! \brief One unit cell of a mechanism: a head that sits in a beam, or body.
 struct MechanismCell {
-  lattice::Cell at;                              //!< relative to the mechanism's origin
-  bool head = false;                             //!< a free pin head; else connector body
-  lattice::Axis axis = lattice::Axis::kX;        //!< heads: the pin's axis; bodies with a hole: its axis
-  bool openHole = false;                         //!< body with a hole that nothing fills yet
+  lattice::Cell at;                        //!< relative to the mechanism's origin
+  bool head = false;                       //!< a free pin head; else connector body
+  lattice::Axis axis = lattice::Axis::kX;  //!< heads: the pin's axis; bodies with a hole: its axis
+  bool openHole = false;                   //!< body with a hole that nothing fills yet
   parts::FeatureKind kind = parts::FeatureKind::kPin;
 };
 
@@ -24,10 +24,11 @@ struct MechanismPart {
   lattice::Pose pose;
 };
 
-//! \brief A small assembly of pins and connectors that joins beams (paper 4.1), on the unit lattice.
+//! \brief A small assembly of pins and connectors that joins beams (paper 4.1), on the unit
+//! lattice.
 struct Mechanism {
   std::vector<MechanismPart> parts;
-  std::vector<MechanismCell> cells;   //!< heads first
+  std::vector<MechanismCell> cells;  //!< heads first
 
   [[nodiscard]] int headCount() const;
 
@@ -37,14 +38,15 @@ struct Mechanism {
 
 //! \brief What to compose from, and how far.
 struct CompositionOptions {
-  std::vector<std::string> partIds;   //!< connecting parts in use; order matters for ties only
+  std::vector<std::string> partIds;  //!< connecting parts in use; order matters for ties only
   int maxParts = 2;
   int maxCells = 9;
 };
 
-//! \brief All assemblies of up to maxParts connecting parts with at least two free heads, all of them pin
-//! heads, one for each shape up to rotation; of two with the same heads only the one whose body is not
-//! contained in the other's stays (paper 4.1 by program instead of by study; FINDINGS 1).
+//! \brief All assemblies of up to maxParts connecting parts with at least two free heads, all of
+//! them pin heads, one for each shape up to rotation; of two with the same heads only the one whose
+//! body is not contained in the other's stays (paper 4.1 by program instead of by study; FINDINGS
+//! 1).
 std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
                                          const CompositionOptions& options);
 

@@ -12,8 +12,8 @@ using lattice::Axis;
 using lattice::Cell;
 
 constexpr int kSide = 2 * MechanismTable::kReach + 1;
-constexpr double kBodyCost = 0.15;   // per body cell, in parts: prefers high pin-head ratios
-constexpr double kHeadCost = 0.02;   // per head: of two equals the smaller one
+constexpr double kBodyCost = 0.15;  // per body cell, in parts: prefers high pin-head ratios
+constexpr double kHeadCost = 0.02;  // per head: of two equals the smaller one
 
 bool inReach(Cell c) {
   const int reach = MechanismTable::kReach;

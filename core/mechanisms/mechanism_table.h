@@ -12,7 +12,7 @@ namespace liftarm::mechanisms {
 struct OrientedMechanism {
   Mechanism shape;
   int heads = 0;
-  double cost = 0.0;      //!< parts, plus a little for each body cell: fewer and simpler is better
+  double cost = 0.0;  //!< parts, plus a little for each body cell: fewer and simpler is better
 };
 
 //! \brief One way to join a hole to another: the mechanism and which of its heads takes which.
@@ -22,7 +22,8 @@ struct TableEntry {
   std::int32_t headB = -1;
 };
 
-//! \brief All oriented mechanisms, found by the relative place and axes of two holes (FINDINGS 1, 6).
+//! \brief All oriented mechanisms, found by the relative place and axes of two holes (FINDINGS 1,
+//! 6).
 class MechanismTable {
  public:
   //! \brief Holes farther apart than this along any axis are not joined.
@@ -38,7 +39,8 @@ class MechanismTable {
 
   //! \brief Ways to join hole A to hole B, cheapest first; empty when out of reach.
   //! \param offset Middle of hole B minus middle of hole A.
-  [[nodiscard]] const std::vector<TableEntry>& between(lattice::Cell offset, lattice::Axis axisA,
+  [[nodiscard]] const std::vector<TableEntry>& between(lattice::Cell offset,
+                                                       lattice::Axis axisA,
                                                        lattice::Axis axisB) const;
 
  private:

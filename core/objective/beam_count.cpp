@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double beamCount(const Measures& m) { return static_cast<double>(m.tallies.beams); }
+double beamCount(const Measures& m) {
+  return static_cast<double>(m.tallies.beams);
+}
 
 }  // namespace liftarm::objective

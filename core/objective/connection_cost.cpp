@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double connectionCost(const Measures& m) { return m.tallies.connectionCost; }
+double connectionCost(const Measures& m) {
+  return m.tallies.connectionCost;
+}
 
 }  // namespace liftarm::objective

@@ -1,6 +1,6 @@
-#include "objective/term.h"
-
 #include <cmath>
+
+#include "objective/term.h"
 
 namespace liftarm::objective {
 

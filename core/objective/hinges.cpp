@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double hinges(const Measures& m) { return static_cast<double>(m.tallies.hinges); }
+double hinges(const Measures& m) {
+  return static_cast<double>(m.tallies.hinges);
+}
 
 }  // namespace liftarm::objective

@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double holeCount(const Measures& m) { return static_cast<double>(m.tallies.holes); }
+double holeCount(const Measures& m) {
+  return static_cast<double>(m.tallies.holes);
+}
 
 }  // namespace liftarm::objective

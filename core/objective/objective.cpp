@@ -13,9 +13,13 @@ void set(Weights* weights, std::string_view name, double weight) {
   (*weights)[*termIndex(name)] = weight;
 }
 
-bool isFaithful(Preset p) { return p == Preset::kFaithful || p == Preset::kFaithfulRigid; }
+bool isFaithful(Preset p) {
+  return p == Preset::kFaithful || p == Preset::kFaithfulRigid;
+}
 
-bool isRigid(Preset p) { return p == Preset::kFaithfulRigid || p == Preset::kSimpleRigid; }
+bool isRigid(Preset p) {
+  return p == Preset::kFaithfulRigid || p == Preset::kSimpleRigid;
+}
 
 }  // namespace
 
@@ -48,7 +52,9 @@ std::optional<Preset> presetFromName(std::string_view name) {
   return static_cast<Preset>(found - kPresetNames.begin());
 }
 
-std::string_view nameOf(Preset preset) { return kPresetNames[static_cast<std::size_t>(preset)]; }
+std::string_view nameOf(Preset preset) {
+  return kPresetNames[static_cast<std::size_t>(preset)];
+}
 
 Weights searchWeights(Preset preset) {
   Weights weights{};

@@ -19,7 +19,8 @@ enum class Preset { kFaithful, kSimple, kFaithfulRigid, kSimpleRigid };
 std::optional<Preset> presetFromName(std::string_view name);
 std::string_view nameOf(Preset preset);
 
-//! \brief Weights of the default search, in units of one connecting part; the same for all sketches.
+//! \brief Weights of the default search, in units of one connecting part; the same for all
+//! sketches.
 Weights searchWeights(Preset preset);
 
 //! \brief The paper's weights (4.3) for its own terms; all others 0.

@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double overhang(const Measures& m) { return static_cast<double>(m.tallies.overhang); }
+double overhang(const Measures& m) {
+  return static_cast<double>(m.tallies.overhang);
+}
 
 }  // namespace liftarm::objective

@@ -2,6 +2,8 @@
 
 namespace liftarm::objective {
 
-double symmetry(const Measures& m) { return m.symmetryDeviation; }
+double symmetry(const Measures& m) {
+  return m.symmetryDeviation;
+}
 
 }  // namespace liftarm::objective

@@ -9,9 +9,9 @@ namespace liftarm::objective {
 
 //! \brief Sizes of the sketch that the paper's terms are normalised by (paper 4.3).
 struct Scale {
-  double nodes = 1.0;          //!< |V|
-  double edges = 1.0;          //!< |E|
-  double branching = 1.0;      //!< sum over nodes of (degree - 1) squared
+  double nodes = 1.0;      //!< |V|
+  double edges = 1.0;      //!< |E|
+  double branching = 1.0;  //!< sum over nodes of (degree - 1) squared
 };
 
 Scale scaleOf(const guide::GuidingGraph& graph);
@@ -26,24 +26,25 @@ struct Measures {
 };
 
 //! The paper's terms (4.3), each in a file of its own; smaller is better.
-double deviation(const Measures& m);      //!< F_dev: root mean square layer over holes
-double compactness(const Measures& m);    //!< F_cpt: largest layer range of a component, squared
-double symmetry(const Measures& m);       //!< F_sym: squared Hausdorff distance per hole
-double beamLength(const Measures& m);     //!< F_tbl: holes per node
-double pinHeadRatio(const Measures& m);   //!< F_phr: 1 - average pin-head ratio
-double collisions(const Measures& m);     //!< F_col: colliding pairs per hole
-double gaps(const Measures& m);           //!< F_gap: empty layers per node
-double coherence(const Measures& m);      //!< F_coh: failed connections per edge
-double rigidity(const Measures& m);       //!< F_rgd: rigid subsets over branching
+double deviation(const Measures& m);     //!< F_dev: root mean square layer over holes
+double compactness(const Measures& m);   //!< F_cpt: largest layer range of a component, squared
+double symmetry(const Measures& m);      //!< F_sym: squared Hausdorff distance per hole
+double beamLength(const Measures& m);    //!< F_tbl: holes per node
+double pinHeadRatio(const Measures& m);  //!< F_phr: 1 - average pin-head ratio
+double collisions(const Measures& m);    //!< F_col: colliding pairs per hole
+double gaps(const Measures& m);          //!< F_gap: empty layers per node
+double coherence(const Measures& m);     //!< F_coh: failed connections per edge
+double rigidity(const Measures& m);      //!< F_rgd: rigid subsets over branching
 
-//! Terms of our own, in plain counts, so that one violation weighs the same in any model (DESIGN 7).
+//! Terms of our own, in plain counts, so that one violation weighs the same in any model (DESIGN
+//! 7).
 double beamCount(const Measures& m);
 double holeCount(const Measures& m);
-double layerOffsets(const Measures& m);      //!< holes times layer squared
-double overhang(const Measures& m);          //!< beam ends past their line
-double hinges(const Measures& m);            //!< joints in line on one hole (FINDINGS 5)
-double connectionCost(const Measures& m);    //!< connecting parts, and a little for their body
-double violations(const Measures& m);        //!< all hard conditions broken
+double layerOffsets(const Measures& m);    //!< holes times layer squared
+double overhang(const Measures& m);        //!< beam ends past their line
+double hinges(const Measures& m);          //!< joints in line on one hole (FINDINGS 5)
+double connectionCost(const Measures& m);  //!< connecting parts, and a little for their body
+double violations(const Measures& m);      //!< all hard conditions broken
 
 //! \brief One row of the table of terms.
 struct Term {

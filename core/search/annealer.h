@@ -12,13 +12,13 @@ namespace liftarm::search {
 
 struct AnnealingOptions {
   std::uint64_t seed = 1;
-  int starts = 60;                   //!< of stage one
-  double startTemperature = 6.0;     //!< in units of the energy
+  int starts = 60;                //!< of stage one
+  double startTemperature = 6.0;  //!< in units of the energy
   double endTemperature = 0.25;
   std::uint32_t iterationsPerRun = 120;
   std::uint32_t minIterations = 1500;
-  std::uint32_t maxRounds = 6;       //!< further rounds while no layout without violations was found
-  bool corners = true;               //!< whether L beams may be used
+  std::uint32_t maxRounds = 6;  //!< further rounds while no layout without violations was found
+  bool corners = true;          //!< whether L beams may be used
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };
@@ -31,28 +31,35 @@ struct LayoutSnapshot {
   double energy = 0.0;
 };
 
-//! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet, anew and
-//! exactly (RunCoverer), and joins what it touched anew (ConnectionSolver).
-//! \details Where violations stay, their places gain weight until the search leaves them (as breakout
-//! local search does); the best layout is kept by (violations, energy). Stepped and deterministic.
+//! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
+//! anew and exactly (RunCoverer), and joins what it touched anew (ConnectionSolver). \details Where
+//! violations stay, their places gain weight until the search leaves them (as breakout local search
+//! does); the best layout is kept by (violations, energy). Stepped and deterministic.
 class Annealer {
  public:
   //! \pre problem and solver outlive the annealer.
-  Annealer(const layout::LayoutProblem& problem, layout::ConnectionSolver& solver,
+  Annealer(const layout::LayoutProblem& problem,
+           layout::ConnectionSolver& solver,
            AnnealingOptions options);
 
   //! \brief At most `iterations` moves. \return True when the search has ended.
   bool advance(std::uint32_t iterations);
 
   [[nodiscard]] bool done() const { return done_; }
+
   [[nodiscard]] const LayoutSnapshot& best() const { return best_; }
+
   [[nodiscard]] std::uint32_t improvements() const { return improvements_; }
+
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
+
   [[nodiscard]] double temperature() const { return temperature_; }
+
   [[nodiscard]] double fraction() const;
 
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
   [[nodiscard]] const char* phase() const;
+
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 
  private:
@@ -88,11 +95,11 @@ class Annealer {
   std::uint64_t lastChange_ = 0;
   double temperature_ = 0.0;
   double energy_ = 0.0;
-  mutable objective::Measures measures_;   // reused: the tallies change, the scale does not
-  objective::Weights softWeights_{};       // options_.weights without the hard conditions
+  mutable objective::Measures measures_;  // reused: the tallies change, the scale does not
+  objective::Weights softWeights_{};      // options_.weights without the hard conditions
   double violationWeight_ = 0.0;
   std::vector<int> sites_;
-  int site_ = -1;   // violated junction that the last pick came from
+  int site_ = -1;  // violated junction that the last pick came from
 };
 
 }  // namespace liftarm::search

@@ -7,17 +7,19 @@ namespace liftarm::search {
 namespace {
 
 using guide::kMaxLayer;
+using lattice::Axis;
 using layout::Beam;
 using layout::Cover;
 using layout::kLayerCount;
-using lattice::Axis;
 
 constexpr double kNever = 1e18;
 constexpr int kMostOverlap = 3;
 constexpr double kForbidden = 1e6;
 constexpr double kFixedBonus = 1e7;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 int stackViolations(unsigned layers) {
   if (layers == 0) {
@@ -38,11 +40,14 @@ int stackViolations(unsigned layers) {
   return high - low + 1 - count + std::max(0, count - 3);
 }
 
-unsigned bit(int layer) { return 1U << static_cast<unsigned>(layer + kMaxLayer); }
+unsigned bit(int layer) {
+  return 1U << static_cast<unsigned>(layer + kMaxLayer);
+}
 
 }  // namespace
 
-RunCoverer::RunCoverer(const layout::LayoutProblem& problem, std::vector<int> lengths,
+RunCoverer::RunCoverer(const layout::LayoutProblem& problem,
+                       std::vector<int> lengths,
                        CoverCosts costs)
     : problem_(&problem), lengths_(std::move(lengths)), costs_(costs) {}
 
@@ -115,8 +120,8 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
         if (!hits(low, high)) {
           continue;
         }
-        // Where beads of the run touch the other beam is an interval: find the first end and the last
-        // start that still touch it.
+        // Where beads of the run touch the other beam is an interval: find the first end and the
+        // last start that still touch it.
         int firstEnd = low;
         int below = high;
         while (firstEnd < below) {
@@ -129,8 +134,7 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
           const int middle = lastStart - (lastStart - above) / 2;
           (hits(middle, high) ? above : lastStart) = hits(middle, high) ? middle : middle - 1;
         }
-        const double weight =
-            0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
+        const double weight = 0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
         for (int start = low; start <= std::min(lastStart, edges_); ++start) {
           for (std::size_t n = 0; n < lengths_.size(); ++n) {
             if (start + lengths_[n] - 1 >= firstEnd && start + lengths_[n] - 1 <= high) {
@@ -174,7 +178,8 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
         cost += start < 0 ? costs_.overhang : 0.0;
         cost += last > edges_ ? costs_.overhang : 0.0;
         if (restricted) {
-          cost += kForbidden * static_cast<double>(forbidden[at(last + 2)] - forbidden[at(start + 1)]);
+          cost +=
+              kForbidden * static_cast<double>(forbidden[at(last + 2)] - forbidden[at(start + 1)]);
         }
         cost += exact_ && layer != 0 ? kForbidden : 0.0;
         beamCost_[beamIndex(start, n, layer)] += cost;
@@ -287,8 +292,8 @@ void RunCoverer::extendFrom(int last, int layer) {
   }
 }
 
-std::optional<Cover> RunCoverer::propose(const layout::Layout& layout, int run, Axis axis,
-                                         double noise, base::Rng* rng) {
+std::optional<Cover> RunCoverer::propose(
+    const layout::Layout& layout, int run, Axis axis, double noise, base::Rng* rng) {
   prepare(layout, run, axis);
   addBeamCosts(run, axis, noise, rng);
   favourFixed();

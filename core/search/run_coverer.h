@@ -11,22 +11,22 @@ namespace liftarm::search {
 
 //! \brief What a beam, a joint in line and a violation cost while one run is covered anew.
 struct CoverCosts {
-  double beam = 10.0;        //!< each real beam part
-  double hole = 0.05;        //!< each hole: prefers beams that fit
-  double layer = 0.4;        //!< each layer off the line, for each beam
-  double layerHole = 0.0;    //!< each hole times layer squared (the paper's deviation)
-  double hinge = 3.0;        //!< two beams in line that share one hole only
-  double overhang = 2.0;     //!< a beam that sticks out past the run's end
-  double violation = 25.0;   //!< a collision, gap or overfull stack, times the place's weight
+  double beam = 10.0;       //!< each real beam part
+  double hole = 0.05;       //!< each hole: prefers beams that fit
+  double layer = 0.4;       //!< each layer off the line, for each beam
+  double layerHole = 0.0;   //!< each hole times layer squared (the paper's deviation)
+  double hinge = 3.0;       //!< two beams in line that share one hole only
+  double overhang = 2.0;    //!< a beam that sticks out past the run's end
+  double violation = 25.0;  //!< a collision, gap or overfull stack, times the place's weight
 };
 
-//! \brief Covers one run anew, exactly, while all other runs stay: dynamic programming over the run's
-//! nodes and layers, in place of the paper's edge-by-edge operator (5.2).
-//! \details A state is (last node of the latest beam, its layer). The next beam overlaps it in one to
-//! three nodes on a neighbouring layer; at a junction with a run of another hole axis the first edge may be
-//! left to a mechanism instead (paper 5.2, uncovered edges). Costs add up over beams and nodes, so the
-//! cheapest cover is found in O(nodes * layers * lengths). How well mechanisms will join the result is not
-//! additive: noise on the costs makes different proposals, and the caller judges them.
+//! \brief Covers one run anew, exactly, while all other runs stay: dynamic programming over the
+//! run's nodes and layers, in place of the paper's edge-by-edge operator (5.2). \details A state is
+//! (last node of the latest beam, its layer). The next beam overlaps it in one to three nodes on a
+//! neighbouring layer; at a junction with a run of another hole axis the first edge may be left to
+//! a mechanism instead (paper 5.2, uncovered edges). Costs add up over beams and nodes, so the
+//! cheapest cover is found in O(nodes * layers * lengths). How well mechanisms will join the result
+//! is not additive: noise on the costs makes different proposals, and the caller judges them.
 class RunCoverer {
  public:
   //! \param lengths Allowed numbers of holes, ascending.
@@ -34,17 +34,18 @@ class RunCoverer {
 
   //! \param noise Highest random amount added to each beam's cost.
   //! \return The cheapest cover with this hole axis under the noise; nothing when there is none.
-  std::optional<layout::Cover> propose(const layout::Layout& layout, int run, lattice::Axis axis,
-                                       double noise, base::Rng* rng);
+  std::optional<layout::Cover> propose(
+      const layout::Layout& layout, int run, lattice::Axis axis, double noise, base::Rng* rng);
 
-  //! \brief Beams that the next proposals must contain as they are: arms of L beams. Empty again: none.
+  //! \brief Beams that the next proposals must contain as they are: arms of L beams. Empty again:
+  //! none.
   void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
 
   [[nodiscard]] const CoverCosts& costs() const { return costs_; }
 
  private:
   struct Choice {
-    int previous = -1;   //!< state that it continues, -1 at the run's start
+    int previous = -1;  //!< state that it continues, -1 at the run's start
     int start = 0;
   };
 
@@ -71,13 +72,13 @@ class RunCoverer {
   // One run's working set, reused from call to call.
   int edges_ = 0;
   bool exact_ = false;
-  std::vector<double> beamCost_;            // by start, length, layer
-  std::vector<double> value_;               // by state
+  std::vector<double> beamCost_;  // by start, length, layer
+  std::vector<double> value_;     // by state
   std::vector<Choice> choice_;
-  std::vector<std::uint8_t> mixed_;         // by node index + 1: mechanisms may bridge an edge here
-  std::vector<int> junctionPlaces_;         // by node index + 1: place in the lists below, or -1
-  std::vector<unsigned> otherLayers_;       // layers of other beams with this axis, by place
-  std::vector<double> stackWeights_;        // by place
+  std::vector<std::uint8_t> mixed_;    // by node index + 1: mechanisms may bridge an edge here
+  std::vector<int> junctionPlaces_;    // by node index + 1: place in the lists below, or -1
+  std::vector<unsigned> otherLayers_;  // layers of other beams with this axis, by place
+  std::vector<double> stackWeights_;   // by place
 };
 
 }  // namespace liftarm::search

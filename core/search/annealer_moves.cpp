@@ -1,0 +1,263 @@
+#include <algorithm>
+
+#include "base/det_math.h"
+#include "search/annealer.h"
+
+namespace liftarm::search {
+
+namespace {
+
+constexpr double kPickViolation = 0.75;  // share of moves at a violated place while there is one
+constexpr double kPickNear = 0.15;       // of these: at a run that passes near, not one that is met
+constexpr double kPickAxis = 0.12;       // share of moves that turn the run's hole axis
+constexpr double kPickTwo = 0.35;        // share of moves that cover two runs anew
+constexpr double kPickMany = 0.2;  // share of moves that clear several runs first, while violated
+constexpr std::uint32_t kMostMany = 4;
+constexpr double kPickBend = 0.06;    // share of moves that lay an L beam at a corner
+constexpr double kStraighten = 0.25;  // share of moves on a run with L beams that take them out
+constexpr std::uint32_t kMostFollowers = 7;
+constexpr int kLongArm = 5;  // holes of the L beam's arms (32526)
+constexpr int kShortArm = 3;
+constexpr double kMostNoise = 9.0;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::vector<layout::Beam> armsOf(const layout::Cover& cover) {
+  std::vector<layout::Beam> arms;
+  for (const layout::Beam& beam : cover.beams) {
+    if (beam.mate >= 0) {
+      arms.push_back(beam);
+    }
+  }
+  return arms;
+}
+
+//! The beams of a cover without the arm whose other one is on `mate`; -2 takes out every arm.
+std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, int mate) {
+  std::vector<layout::Beam> rest;
+  for (const layout::Beam& beam : beams) {
+    if (beam.mate < 0 || (mate != -2 && beam.mate != mate)) {
+      rest.push_back(beam);
+    }
+  }
+  return rest;
+}
+
+}  // namespace
+
+//! A run at a violated place, if there is one and the dice say so; else any run.
+int Annealer::pickRun() {
+  const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
+  site_ = -1;
+  if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
+    return static_cast<int>(rng_.below(runs));
+  }
+  sites_.clear();
+  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
+    if (layout_.junction(static_cast<int>(j)).violations() > 0) {
+      sites_.push_back(static_cast<int>(j));
+    }
+  }
+  const std::size_t junctions = sites_.size();
+  for (std::uint32_t r = 0; r < runs; ++r) {
+    const layout::RunState& state = layout_.run(static_cast<int>(r));
+    if (state.collisions + state.forbidden > 0) {
+      sites_.push_back(static_cast<int>(r));
+    }
+  }
+  if (sites_.empty()) {
+    return static_cast<int>(rng_.below(runs));
+  }
+  const std::size_t pick = rng_.below(static_cast<std::uint32_t>(sites_.size()));
+  if (pick >= junctions) {
+    return sites_[pick];
+  }
+  site_ = sites_[pick];
+  const guide::Junction& junction = problem_->graph.junctions[at(site_)];
+  if (rng_.unit() < kPickNear) {
+    return junction.nearRuns[rng_.below(static_cast<std::uint32_t>(junction.nearRuns.size()))];
+  }
+  return junction.incident[rng_.below(static_cast<std::uint32_t>(junction.incident.size()))].run;
+}
+
+//! Another run that meets this one, or -1.
+int Annealer::pickPartner(int run) {
+  const std::vector<int>& met = problem_->graph.runs[at(run)].junctions;
+  if (met.empty()) {
+    return -1;
+  }
+  const guide::Junction& junction =
+      problem_->graph.junctions[at(met[rng_.below(static_cast<std::uint32_t>(met.size()))])];
+  const int other =
+      junction.incident[rng_.below(static_cast<std::uint32_t>(junction.incident.size()))].run;
+  return other == run ? -1 : other;
+}
+
+bool Annealer::coverRun(int run,
+                        lattice::Axis axis,
+                        double noise,
+                        const std::vector<layout::Beam>& fixed) {
+  coverer_.setFixed(fixed);
+  auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
+  coverer_.setFixed({});
+  if (!cover) {
+    return false;
+  }
+  const bool changed = !(*cover == layout_.run(run).cover);
+  if (changed) {
+    layout_.setCover(run, std::move(*cover));
+  }
+  return changed;
+}
+
+//! Covers a run anew; its arms of L beams stay, and then so does its hole axis.
+bool Annealer::recover(int run, double noise) {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  lattice::Axis axis = layout_.run(run).cover.axis;
+  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
+  if (!arms.empty() && rng_.unit() < kStraighten) {
+    return straighten(run, noise);
+  }
+  if (arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+    axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
+  }
+  return coverRun(run, axis, noise, arms);
+}
+
+//! Takes the L beams of a run out: it and the runs of their other arms are covered anew.
+bool Annealer::straighten(int run, double noise) {
+  bool changed = false;
+  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
+  layout::Cover bare = layout_.run(run).cover;
+  bare.beams = withoutMates(bare.beams, -2);
+  layout_.setCover(run, bare);
+  for (const layout::Beam& arm : arms) {
+    const layout::Cover& cover = layout_.run(arm.mate).cover;
+    layout::Cover mate{cover.axis, withoutMates(cover.beams, run)};
+    const std::vector<layout::Beam> kept = armsOf(mate);
+    layout_.setCover(arm.mate, mate);
+    changed = coverRun(arm.mate, mate.axis, noise, kept) || changed;
+  }
+  return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
+}
+
+//! Lays an L beam at a corner of this run and another of the same hole axis, square to it.
+bool Annealer::bend(int run, double noise) {
+  const int mate = pickPartner(run);
+  if (mate < 0) {
+    return false;
+  }
+  const guide::GuidingGraph& graph = problem_->graph;
+  const layout::Cover& mine = layout_.run(run).cover;
+  const layout::Cover& theirs = layout_.run(mate).cover;
+  const bool square = graph.runs[at(run)].principal && graph.runs[at(mate)].principal;
+  if (!square || mine.axis != theirs.axis || !armsOf(mine).empty() || !armsOf(theirs).empty()) {
+    return false;
+  }
+  const int layer = static_cast<int>(rng_.below(3)) - 1;
+  const bool longer = rng_.below(2) == 0;
+  const auto armAt = [&](int onRun, int other, int holes) {
+    const int corner = layout::cornerIndex(graph, onRun, other);
+    const int start = rng_.below(2) == 0 ? corner : corner - holes + 1;
+    return layout::Beam{start, holes, layer, other};
+  };
+  const layout::Beam a = armAt(run, mate, longer ? kLongArm : kShortArm);
+  const layout::Beam b = armAt(mate, run, longer ? kShortArm : kLongArm);
+  if (a.start < 0 || b.start < 0 || a.last() > graph.runs[at(run)].edgeCount() ||
+      b.last() > graph.runs[at(mate)].edgeCount()) {
+    return false;
+  }
+  const lattice::Axis axis = mine.axis;
+  layout_.setCover(run, {axis, {}});
+  layout_.setCover(mate, {axis, {}});
+  if (!coverRun(run, axis, noise, {a}) || !coverRun(mate, axis, noise, {b})) {
+    return false;
+  }
+  // Both lines' layers have changed along their length: let those that cross them follow.
+  const std::uint32_t followers = rng_.below(kMostFollowers);
+  for (std::uint32_t i = 0; i < followers; ++i) {
+    const int other = pickPartner(i % 2 == 0 ? run : mate);
+    if (other >= 0 && other != run && other != mate) {
+      recover(other, noise);
+    }
+  }
+  return true;
+}
+
+//! Ruin and recreate: clears the run and some that meet or pass near it, then covers them one by
+//! one in a random order. What one run alone cannot do, since its neighbours stand in the way,
+//! several can.
+bool Annealer::recoverMany(int run, double noise) {
+  if (!armsOf(layout_.run(run).cover).empty()) {
+    return straighten(run, noise);
+  }
+  std::vector<int> cleared{run};
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  const std::uint32_t wanted = 1 + rng_.below(kMostMany);
+  for (std::uint32_t i = 0; i < wanted; ++i) {
+    int other = pickPartner(run);
+    if (site_ >= 0 && rng_.below(2) == 0) {
+      const std::vector<int>& near = problem_->graph.junctions[at(site_)].nearRuns;
+      other = near[rng_.below(static_cast<std::uint32_t>(near.size()))];
+    } else if (other < 0 && !guideRun.near.empty()) {
+      other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
+    }
+    if (other >= 0 && armsOf(layout_.run(other).cover).empty() &&
+        std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
+      cleared.push_back(other);
+    }
+  }
+  std::vector<layout::Cover> before;
+  for (const int r : cleared) {
+    before.push_back(layout_.run(r).cover);
+    layout_.setCover(r, {layout_.run(r).cover.axis, {}});
+  }
+  for (std::size_t i = cleared.size(); i > 1; --i) {
+    const std::size_t j = rng_.below(static_cast<std::uint32_t>(i));
+    std::swap(cleared[i - 1], cleared[j]);
+    std::swap(before[i - 1], before[j]);
+  }
+  for (std::size_t i = 0; i < cleared.size(); ++i) {
+    if (!recover(cleared[i], noise)) {
+      layout_.setCover(cleared[i], before[i]);
+    }
+  }
+  return true;
+}
+
+void Annealer::move() {
+  const int run = pickRun();
+  const double noise = kMostNoise * rng_.unit();
+  const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
+  const bool corner = !many && options_.corners && rng_.unit() < kPickBend;
+  bool changed = many ? recoverMany(run, noise) : (corner ? bend(run, noise) : recover(run, noise));
+  if (corner && !changed) {
+    layout_.revert();
+    return;
+  }
+  if (!many && !corner && rng_.unit() < kPickTwo) {
+    const int partner = pickPartner(run);
+    changed = (partner >= 0 && recover(partner, noise)) || changed;
+  }
+  if (!changed) {
+    layout_.revert();
+    return;
+  }
+  layout_.settle();
+  const double after = energy();
+  const double delta = after - energy_;
+  if (delta <= 0.0 || rng_.unit() < base::detExp(-delta / temperature_)) {
+    layout_.keep();
+    energy_ = after;
+    if (delta < 0.0) {
+      lastChange_ = delta < -1e-9 ? iteration_ : lastChange_;
+    }
+    keepBest();
+  } else {
+    layout_.revert();
+  }
+}
+
+}  // namespace liftarm::search
