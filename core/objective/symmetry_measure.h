@@ -30,10 +30,14 @@ struct SymmetryGroup {
   std::vector<int> partners;  //!< B_j, run ids
 };
 
-//! \brief F_sym of the paper (4.3): the mean over groups of the squared Hausdorff distance between
-//! the holes of one group and the mapped holes of its partner, over the first group's number of
-//! holes. \param covers One for each run of the graph. \return Square modules per hole; 0 without
-//! groups. A group of which one side has no beams yet adds 0.
+//! \brief F_sym of \cite xu_2019_computational (4.3): the mean over groups of the squared Hausdorff
+//! distance between the holes of one group and the mapped holes of its partner, over the first
+//! group's number of holes.
+//!
+//! \param covers One for each run of the graph.
+//!
+//! \return Square modules per hole; 0 without groups. A group of which one side has no beams yet
+//! adds 0.
 double symmetryDeviation(const guide::GuidingGraph& graph,
                          const std::vector<layout::Cover>& covers,
                          const std::vector<SymmetryGroup>& groups);
