@@ -62,10 +62,11 @@ test('drawing', async ({ page }) => {
 });
 
 test('solving', async ({ page }) => {
+  test.setTimeout(300_000);
   await openEmpty(page);
   await page.keyboard.press('o');
   await page.keyboard.press('i');
-  await openText(page, scaffold(3));
+  await openText(page, scaffold(4));
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Scaffold');
   await settled(page);
   await page.getByRole('button', { name: /^Generate/ }).click();
