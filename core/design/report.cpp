@@ -8,6 +8,8 @@
 #include "analysis/check.h"
 #include "guide/beam_bound.h"
 #include "layout/components.h"
+#include "objective/rigidity_measure.h"
+#include "objective/symmetry_measure.h"
 
 namespace liftarm::design {
 
@@ -61,6 +63,15 @@ objective::Measures measuresOf(const ReportInput& input, const layout::Component
   measures.tallies = input.annealer.best().tallies;
   measures.scale = objective::scaleOf(input.problem.graph);
   measures.componentRange = layout::largestLayerRange(components, input.annealer.best().covers);
+  const guide::GuidingGraph& graph = input.problem.graph;
+  const search::LayoutSnapshot& best = input.annealer.best();
+  std::vector<objective::SymmetryGroup> groups;
+  for (const guide::GuideSymmetry& s : graph.symmetries) {
+    groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
+  }
+  measures.symmetryDeviation = objective::symmetryDeviation(graph, best.covers, groups);
+  measures.rigidSubsets = objective::countRigidSubsets(
+      graph, input.annealer.current().table(), best.covers, best.junctions);
   return measures;
 }
 

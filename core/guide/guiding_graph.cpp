@@ -142,6 +142,63 @@ void addJoints(const sketch::Arrangement& arrangement,
   }
 }
 
+std::vector<int> runsOfLines(const sketch::Arrangement& arrangement,
+                             const std::vector<Segment>& segments,
+                             const std::vector<int>& lines) {
+  std::vector<int> runs;
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const sketch::Run& source = arrangement.runs[static_cast<std::size_t>(segments[s].run)];
+    bool found = false;
+    for (int e = segments[s].first; e < segments[s].last && !found; ++e) {
+      for (const int line : source.edges[static_cast<std::size_t>(e)].lines) {
+        found = found || std::find(lines.begin(), lines.end(), line) != lines.end();
+      }
+    }
+    if (found) {
+      runs.push_back(static_cast<int>(s));
+    }
+  }
+  return runs;
+}
+
+//! p -> p - 2 (normal.p - offset) normal.
+GuideSymmetry mirrorOf(const sketch::Symmetry& symmetry) {
+  GuideSymmetry mirror;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      mirror.linear.m[3 * i + j] -=
+          2.0 * symmetry.normal[static_cast<int>(i)] * symmetry.normal[static_cast<int>(j)];
+    }
+  }
+  mirror.shift = (2.0 * symmetry.offset) * symmetry.normal;
+  return mirror;
+}
+
+void addSymmetries(const sketch::Sketch& sketch,
+                   const sketch::Arrangement& arrangement,
+                   const std::vector<Segment>& segments,
+                   GuidingGraph* graph) {
+  for (const sketch::Symmetry& symmetry : sketch.symmetries) {
+    if (symmetry.kind == sketch::Symmetry::Kind::kReflection) {
+      GuideSymmetry mirror = mirrorOf(symmetry);
+      std::vector<int> lines = symmetry.lines;
+      for (std::size_t l = 0; symmetry.lines.empty() && l < sketch.lines.size(); ++l) {
+        lines.push_back(static_cast<int>(l));
+      }
+      mirror.runs = runsOfLines(arrangement, segments, lines);
+      mirror.partners = mirror.runs;
+      graph->symmetries.push_back(std::move(mirror));
+      continue;
+    }
+    for (const auto& [line, image] : symmetry.pairs) {
+      graph->symmetries.push_back({{},
+                                   -symmetry.vector,
+                                   runsOfLines(arrangement, segments, {line}),
+                                   runsOfLines(arrangement, segments, {image})});
+    }
+  }
+}
+
 bool haveCommonAxis(const GuidingGraph& graph, const Junction& junction) {
   for (int i = 0; i < 3; ++i) {
     const bool common = std::all_of(
@@ -298,6 +355,7 @@ GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch) {
   const std::vector<Segment> segments = splitRuns(arrangement);
   addRuns(arrangement, segments, &graph);
   addJoints(arrangement, segments, &graph);
+  addSymmetries(sketch, arrangement, segments, &graph);
   addJunctions(&graph);
   addNeighbours(&graph);
   return graph;

@@ -48,6 +48,15 @@ struct GuideJoint {
   std::vector<std::vector<int>> runGroups;
 };
 
+//! \brief Two groups of runs that the sketch calls symmetric: p -> linear * p + shift brings the
+//! partners onto the runs. A mirrored group is its own partner.
+struct GuideSymmetry {
+  lattice::Mat3 linear;
+  lattice::Vec3 shift;
+  std::vector<int> runs;
+  std::vector<int> partners;
+};
+
 //! \brief The guiding graph: nodes one unit apart on all lines, unit edges between them
 //! (paper 4.2), held as straight runs, since beams are straight.
 struct GuidingGraph {
@@ -56,6 +65,7 @@ struct GuidingGraph {
   std::vector<GuideRun> runs;
   std::vector<Junction> junctions;
   std::vector<GuideJoint> joints;
+  std::vector<GuideSymmetry> symmetries;
   std::vector<sketch::KeepOut> keepOut;
   std::optional<double> ground;
   int edges = 0;

@@ -15,8 +15,8 @@ using Orientation = std::vector<lattice::Axis>;
 //! runs then (FINDINGS 3).
 double orientationCost(const GuidingGraph& graph, const Orientation& orientation);
 
-//! \brief Stage one (paper 5.1): many random starts, each improved run by run until nothing helps,
-//! best kept. \param starts Number of random starts, at least 1.
+//! \brief Stage one (paper 5.1): simulated annealing from many random starts, the best result kept.
+//! \param starts Number of random starts, at least 1.
 Orientation estimateOrientation(const GuidingGraph& graph, int starts, base::Rng* rng);
 
 }  // namespace liftarm::guide

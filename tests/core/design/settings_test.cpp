@@ -63,7 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     DISABLED_TooLenient,
     RefusedSettings,
-    ::testing::Values(BadSettings{R"({"set": {"starts": 2.5}})", "set.starts"}, BadSettings{R"({"set": {"mechanismParts": 1.5}})", "set.mechanismParts"}, BadSettings{R"({"set": {"connectors": ""}})", "set.connectors"}, BadSettings{R"({"set": {"connectors": "32316"}})", "32316"}));
+    ::testing::Values(BadSettings{R"({"set": {"starts": 2.5}})", "set.starts"},
+                      BadSettings{R"({"set": {"mechanismParts": 1.5}})", "set.mechanismParts"},
+                      BadSettings{R"({"set": {"connectors": ""}})", "set.connectors"},
+                      BadSettings{R"({"set": {"connectors": "32316"}})", "32316"}));
 
 TEST(Settings, OfAnEmptyTextAreTheDefaults) {
   const base::Result<Settings> settings = readSettings("");
