@@ -67,7 +67,6 @@ export function Palette() {
         aria-label={text.palette.placeholder}
         placeholder={text.palette.placeholder}
         autocomplete="off"
-        // biome-ignore lint/a11y/noAutofocus: a search that was asked for
         autofocus
         value={query}
         onInput={(event) => {
