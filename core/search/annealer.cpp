@@ -12,6 +12,8 @@ namespace {
 constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
+constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
+
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
@@ -74,10 +76,11 @@ const char* Annealer::phase() const {
 }
 
 void Annealer::start() {
-  const guide::Orientation orientation =
-      guide::estimateOrientation(problem_->graph, options_.starts, &rng_);
-  // The first covers see hole axes but no beams; the later ones see what was laid before them.
+  // Fewer starts for very large sketches, so that the first layout does not keep a person waiting.
   const auto runs = static_cast<int>(problem_->graph.runs.size());
+  const int starts = std::max(1, std::min(options_.starts, kStageOneBudget / std::max(1, runs)));
+  const guide::Orientation orientation = guide::estimateOrientation(problem_->graph, starts, &rng_);
+  // The first covers see hole axes but no beams; the later ones see what was laid before them.
   for (int r = 0; r < runs; ++r) {
     layout_.setCover(r, {orientation[at(r)], {}});
   }
