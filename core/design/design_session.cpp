@@ -59,8 +59,11 @@ class Session final : public DesignSession {
 
  private:
   [[nodiscard]] model::Model model() const {
-    return buildModel(
-        problem_, table_, annealer_.best(), sketch_.name, sketch::writeSketch(sketch_));
+    const std::string sketchText = sketch::writeSketch(sketch_);
+    if (annealer_.best().covers.empty()) {
+      return {sketch_.name, {}, sketchText};  // asked before the first step
+    }
+    return buildModel(problem_, table_, annealer_.best(), sketch_.name, sketchText);
   }
 
   sketch::Sketch sketch_;

@@ -62,9 +62,12 @@ objective::Measures measuresOf(const ReportInput& input, const layout::Component
   objective::Measures measures;
   measures.tallies = input.annealer.best().tallies;
   measures.scale = objective::scaleOf(input.problem.graph);
-  measures.componentRange = layout::largestLayerRange(components, input.annealer.best().covers);
   const guide::GuidingGraph& graph = input.problem.graph;
   const search::LayoutSnapshot& best = input.annealer.best();
+  if (best.covers.empty()) {
+    return measures;
+  }
+  measures.componentRange = layout::largestLayerRange(components, best.covers);
   std::vector<objective::SymmetryGroup> groups;
   for (const guide::GuideSymmetry& s : graph.symmetries) {
     groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
@@ -79,7 +82,9 @@ objective::Measures measuresOf(const ReportInput& input, const layout::Component
 
 std::string makeReport(const ReportInput& input) {
   const search::LayoutSnapshot& best = input.annealer.best();
-  const layout::Components components = layout::findComponents(input.problem.graph, best.covers);
+  const layout::Components components =
+      best.covers.empty() ? layout::Components{}
+                          : layout::findComponents(input.problem.graph, best.covers);
   const objective::Measures measures = measuresOf(input, components);
   const analysis::CheckReport check =
       analysis::checkModel(input.model, parts::Catalogue::builtIn());
@@ -119,7 +124,7 @@ std::string makeReport(const ReportInput& input) {
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
-      {"buildable", check.buildable && tallies.violations() == 0},
+      {"buildable", check.buildable && tallies.violations() == 0 && !best.covers.empty()},
       {"items", items},
       {"problems", problems},
       {"objective", rounded(best.energy)},

@@ -22,6 +22,7 @@ struct NumberKey {
   std::string_view name;
   double low;
   double high;
+  bool whole;
   void (*apply)(Settings*, double);
 };
 
@@ -29,6 +30,7 @@ constexpr std::array<NumberKey, 6> kNumberKeys{{
     {"effort",
      0.01,
      100.0,
+     false,
      [](Settings* s, double v) {
        const double perRun = v * static_cast<double>(s->annealing.iterationsPerRun);
        const double least = v * static_cast<double>(s->annealing.minIterations);
@@ -38,19 +40,27 @@ constexpr std::array<NumberKey, 6> kNumberKeys{{
     {"starts",
      1.0,
      10000.0,
+     true,
      [](Settings* s, double v) { s->annealing.starts = static_cast<int>(v); }},
     {"rounds",
      0.0,
      1000.0,
+     true,
      [](Settings* s, double v) { s->annealing.maxRounds = static_cast<std::uint32_t>(v); }},
     {"startTemperature",
      1e-3,
      1e6,
+     false,
      [](Settings* s, double v) { s->annealing.startTemperature = v; }},
-    {"endTemperature", 1e-4, 1e6, [](Settings* s, double v) { s->annealing.endTemperature = v; }},
+    {"endTemperature",
+     1e-4,
+     1e6,
+     false,
+     [](Settings* s, double v) { s->annealing.endTemperature = v; }},
     {"mechanismParts",
      1.0,
      3.0,
+     true,
      [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
 }};
 
@@ -98,9 +108,17 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
   const std::vector<std::string> items = splitList(textOf(value));
   if (key == "connectors") {
     for (const std::string& id : items) {
-      if (parts::Catalogue::builtIn().find(id) == nullptr) {
+      const parts::Part* part = parts::Catalogue::builtIn().find(id);
+      if (part == nullptr) {
         return invalid("set.connectors: no part " + id + " in the catalogue");
       }
+      if (part->partClass == parts::PartClass::kBeam ||
+          part->partClass == parts::PartClass::kGear) {
+        return invalid("set.connectors: " + id + " is no pin, axle or connector");
+      }
+    }
+    if (std::find(items.begin(), items.end(), "2780") == items.end()) {
+      return invalid("set.connectors: 2780 is needed, since joints in line are pinned with it");
     }
     settings->connectors = items;
     return true;
@@ -120,6 +138,7 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
     return invalid("set.lengths: at least one beam length is needed, such as \"3,5,9,15\"");
   }
   std::sort(lengths.begin(), lengths.end());
+  lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
   settings->annealing.lengths = lengths;
   return true;
 }
@@ -154,6 +173,9 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
   for (const NumberKey& known : kNumberKeys) {
     if (known.name != key) {
       continue;
+    }
+    if (known.whole && number != std::floor(number)) {
+      return invalid("set." + key + ": a whole number is needed, not " + value.dump());
     }
     if (!(number >= known.low && number <= known.high)) {
       return invalid("set." + key + ": a number from " + numberText(known.low) + " to " +

@@ -16,7 +16,7 @@ using lattice::Vec3;
 
 constexpr double kFlat = 1e-6;
 //! Two beams, each up to kMaxLayer off its line and one past its end, touch at most this far apart.
-constexpr double kNearRuns = 2.0 * kMaxLayer + 2.5;
+constexpr double kNearRuns = 2.0 * kMaxLayer + 3.5;
 //! Mechanisms reach this far from their junction; two of them touch at most twice that apart.
 constexpr double kNearJunctions = 8.0;
 constexpr double kBucket = 8.0;

@@ -117,10 +117,14 @@ int Layout::collisionsWith(int run, const Cover& cover, int other) const {
 
 int Layout::forbiddenOf(int run, const Cover& cover) const {
   const guide::GuidingGraph& graph = problem_->graph;
-  if (!graph.ground && graph.keepOut.empty()) {
-    return 0;
-  }
+  const bool exact = graph.runs[at(run)].exact;
   int count = 0;
+  for (const Beam& beam : cover.beams) {
+    count += exact && beam.layer != 0 ? beam.holes : 0;
+  }
+  if (!graph.ground && graph.keepOut.empty()) {
+    return count;
+  }
   for (const Beam& beam : cover.beams) {
     for (int i = beam.start; i <= beam.last(); ++i) {
       count +=

@@ -19,7 +19,7 @@ struct Tallies {
   int overhang = 0;           //!< beam ends past the end of their run
   int hinges = 0;             //!< beams in line that share one hole only (FINDINGS 5)
   int collisions = 0;         //!< pairs of beams that interpenetrate
-  int forbidden = 0;          //!< holes below the ground or in a keep-out box
+  int forbidden = 0;          //!< holes below the ground, in a keep-out box or off an exact line
   int gaps = 0;               //!< empty layers within stacks (DESIGN 7)
   int overfull = 0;           //!< beams beyond three in one stack
   int failedConnections = 0;  //!< clusters left at junctions, minus one each (DESIGN 7)

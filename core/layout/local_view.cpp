@@ -1,6 +1,7 @@
 #include "layout/local_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -47,27 +48,84 @@ std::pair<double, double> windowOf(Vec3 first, Vec3 direction, double reach) {
   return {low, high};
 }
 
+//! Range of places along a line that a disk of radius kBeamRadius may not be at without entering
+//! the square body of a connector: where the line crosses the square grown by that radius.
+struct Crossing {
+  double low = 1e9;
+  double high = -1e9;
+
+  void add(double from, double to) {
+    if (from < to) {
+      low = std::min(low, from);
+      high = std::max(high, to);
+    }
+  }
+};
+
+struct Flat {
+  double u = 0.0;
+  double v = 0.0;
+};
+
+//! The line p + t * d inside the rectangle [-a, a] x [-b, b].
+void crossRectangle(Flat p, Flat d, double a, double b, Crossing* crossing) {
+  double from = -1e9;
+  double to = 1e9;
+  for (const auto& [start, step, half] :
+       {std::array<double, 3>{p.u, d.u, a}, std::array<double, 3>{p.v, d.v, b}}) {
+    if (std::abs(step) < 1e-9) {
+      if (std::abs(start) >= half) {
+        return;
+      }
+      continue;
+    }
+    const double first = (-half - start) / step;
+    const double second = (half - start) / step;
+    from = std::max(from, std::min(first, second));
+    to = std::min(to, std::max(first, second));
+  }
+  crossing->add(from, to);
+}
+
+//! The square grown by a radius is two rectangles and four disks at its corners; d has unit length.
+Crossing crossBody(Flat p, Flat d) {
+  constexpr double kHalf = kConnectorHalfWidth;
+  constexpr double kRadius = kBeamRadius - kContactTolerance;
+  Crossing crossing;
+  crossRectangle(p, d, kHalf + kRadius, kHalf, &crossing);
+  crossRectangle(p, d, kHalf, kHalf + kRadius, &crossing);
+  for (const double su : {-kHalf, kHalf}) {
+    for (const double sv : {-kHalf, kHalf}) {
+      const Flat q{p.u - su, p.v - sv};
+      const double along = -(q.u * d.u + q.v * d.v);
+      const double apart = q.u * q.u + q.v * q.v - along * along;
+      if (apart < kRadius * kRadius) {
+        const double half = std::sqrt(kRadius * kRadius - apart);
+        crossing.add(along - half, along + half);
+      }
+    }
+  }
+  return crossing;
+}
+
 //! Cells that a beam on this line (first hole of node 0 at `first`, on its layer) blocks, and
 //! where.
 std::vector<Shadow> shadowsOf(Vec3 first, Vec3 direction, Axis axis) {
   std::vector<Shadow> shadows;
   const int k = lattice::index(axis);
+  const int u = (k + 1) % 3;
+  const int v = (k + 2) % 3;
   for (int x = -kBoxRadius; x <= kBoxRadius; ++x) {
     for (int y = -kBoxRadius; y <= kBoxRadius; ++y) {
       for (int z = -kBoxRadius; z <= kBoxRadius; ++z) {
         const Cell cell{x, y, z};
-        const Vec3 toCell = lattice::toVec3(cell) - first;
-        if (std::abs(toCell[k]) >= 1.0 - kContactTolerance) {
+        const Vec3 toLine = first - lattice::toVec3(cell);
+        if (std::abs(toLine[k]) >= 1.0 - kContactTolerance) {
           continue;
         }
-        Vec3 flat = toCell;
-        flat[k] = 0.0;
-        const double along = lattice::dot(flat, direction);
-        const double distanceSquared = lattice::dot(flat, flat) - along * along;
-        const double room = kConnectorClearance * kConnectorClearance - distanceSquared;
-        if (room > 0.0) {
-          const double half = std::sqrt(room);
-          shadows.push_back({boxIndex(cell), along - half, along + half});
+        const Crossing crossing = crossBody({toLine[u], toLine[v]}, {direction[u], direction[v]});
+        if (crossing.low < crossing.high) {
+          shadows.push_back({boxIndex(cell), crossing.low, crossing.high});
         }
       }
     }
@@ -81,7 +139,7 @@ RunView viewOfRun(const guide::GuidingGraph& graph, int runId, Vec3 origin) {
   RunView view;
   view.run = runId;
   const auto [low, high] =
-      windowOf(first, run.direction, kBoxRadius + guide::kMaxLayer + kConnectorClearance);
+      windowOf(first, run.direction, kBoxRadius + guide::kMaxLayer + kBeamReach);
   view.low = low;
   view.high = high;
   const std::optional<Cell> base = wholeCell(first);

@@ -66,8 +66,12 @@ struct LocalView {
   std::vector<int> forbidden;  //!< box cells below the ground or in a keep-out box
 };
 
-//! \brief Cells closer to an off-lattice beam's middle line than this hold no connector.
-inline constexpr double kConnectorClearance = 0.95;
+//! \brief Half the width of a connector's body in its cell: square, whatever its holes are.
+inline constexpr double kConnectorHalfWidth = 0.46;
+
+//! \brief A beam's middle line farther than this from a cell's middle, on some axis, leaves it
+//! free.
+inline constexpr double kBeamReach = 1.0;
 
 //! \brief Builds the views of all junctions, in the order of graph.junctions.
 std::vector<LocalView> buildLocalViews(const guide::GuidingGraph& graph);

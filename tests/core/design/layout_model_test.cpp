@@ -153,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Sketches,
                          [](const auto& row) { return std::string(row.param.name); });
 
 // A square connector's corner reaches into a slanted beam: the clearance is of round ends only.
-INSTANTIATE_TEST_SUITE_P(DISABLED_Slanted,
+INSTANTIATE_TEST_SUITE_P(Slanted,
                          LayoutOnTheWay,
                          ::testing::Values(NamedSketch{"house", testing::houseSketch()}),
                          [](const auto& row) { return std::string(row.param.name); });

@@ -106,7 +106,7 @@ TEST(RunCoverer, ProposesLegalCoversOnLongLinesInSpace) {
   expectLegalProposals(testing::cornerSketch(37), 34);
 }
 
-TEST(RunCoverer, DISABLED_KeepsBeamsInOrderOfTheirStart) {
+TEST(RunCoverer, KeepsBeamsInOrderOfTheirStart) {
   // After a bridged first edge a beam may reach back behind the one before it, which then covers
   // nothing of its own.
   LayoutBench bench(testing::cubeSketch(6));
