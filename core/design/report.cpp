@@ -121,6 +121,11 @@ std::string makeReport(const ReportInput& input) {
       {"pinHeadRatio", rounded(1.0 - objective::pinHeadRatio(measures))},
       {"deviation", rounded(objective::deviation(measures))},
       {"layerRange", measures.componentRange},
+      {"rigidSubsets", measures.rigidSubsets},
+      // Not judged yet: null, never a guess.
+      {"freedoms", nullptr},
+      {"balanced", nullptr},
+      {"assemblable", nullptr},
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},

@@ -276,10 +276,9 @@ void RunCoverer::extendFrom(int last, int layer) {
     return;
   }
   // The beam after next may be on this layer again: it must not reach back to the beam before.
-  const int previous = choice_[at(state)].previous;
-  const int fresh = previous < 0
-                        ? kMostOverlap
-                        : last - std::max(previous / kLayerCount - 1, choice_[at(state)].start);
+  const Choice& choice = choice_[at(state)];
+  const int behind = choice.previous < 0 ? choice.start : choice.previous / kLayerCount - 1;
+  const int fresh = last - std::max(behind, choice.start);
   const int most = std::min({kMostOverlap, fresh, last + 1});
   for (int shared = 1; shared <= most; ++shared) {
     relax(state, last - shared + 1, layer, last - shared + 1);
