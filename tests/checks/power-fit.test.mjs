@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { test } from 'vitest';
 import { fitPower } from '../../scripts/lib/power-fit.mjs';
 
 test('finds the exponent and the factor of an exact power law', () => {
