@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "base/hash.h"
+#include "layout/stack.h"
 #include "mechanisms/mechanism_table.h"
 
 namespace liftarm::layout {
@@ -13,7 +14,6 @@ namespace {
 using lattice::Axis;
 using lattice::Cell;
 
-constexpr int kMostInStack = 3;  // one pin of three modules holds no more
 constexpr int kFewFailures = 4;  // with more, other moves are worth more than giveWay()
 
 std::size_t at(int id) {
@@ -368,23 +368,9 @@ void Layout::countStack(int junction, JunctionState* state) const {
         }
       }
     }
-    if (layers == 0) {
-      continue;
-    }
-    int low = 0;
-    while ((layers >> static_cast<unsigned>(low) & 1U) == 0U) {
-      ++low;
-    }
-    int count = 0;
-    int high = low;
-    for (int l = low; l < kLayerCount; ++l) {
-      if ((layers >> static_cast<unsigned>(l) & 1U) != 0U) {
-        ++count;
-        high = l;
-      }
-    }
-    state->gaps += high - low + 1 - count;
-    state->overfull += std::max(0, count - kMostInStack);
+    const StackFaults faults = stackFaults(layers);
+    state->gaps += faults.gaps;
+    state->overfull += faults.overfull;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lattice/whole_cell.h"
 #include "layout/beam.h"
 
 namespace liftarm::layout {
@@ -18,14 +19,7 @@ using lattice::Vec3;
 constexpr double kOnLattice = 2e-3;
 
 std::optional<Cell> wholeCell(Vec3 p) {
-  Cell cell;
-  for (int i = 0; i < 3; ++i) {
-    cell[i] = static_cast<int>(std::floor(p[i] + 0.5));
-    if (std::abs(p[i] - static_cast<double>(cell[i])) > kOnLattice) {
-      return std::nullopt;
-    }
-  }
-  return cell;
+  return lattice::wholeCell(p, kOnLattice);
 }
 
 //! Range of node indices in which the run's middle line is within `reach` of the origin on all

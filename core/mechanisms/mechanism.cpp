@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/check.h"
+#include "lattice/whole_cell.h"
 
 namespace liftarm::mechanisms {
 
@@ -21,15 +22,7 @@ using parts::FeatureKind;
 constexpr double kOnLattice = 1e-3;
 
 std::optional<Cell> wholeCell(Vec3 p) {
-  Cell cell;
-  for (int i = 0; i < 3; ++i) {
-    cell[i] = static_cast<int>(p[i] < 0.0 ? p[i] - 0.5 : p[i] + 0.5);
-    const double rest = p[i] - static_cast<double>(cell[i]);
-    if (rest > kOnLattice || rest < -kOnLattice) {
-      return std::nullopt;
-    }
-  }
-  return cell;
+  return lattice::wholeCell(p, kOnLattice);
 }
 
 std::optional<Axis> principalAxis(Vec3 v) {

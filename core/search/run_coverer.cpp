@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layout/stack.h"
+
 namespace liftarm::search {
 
 namespace {
@@ -22,22 +24,8 @@ std::size_t at(int i) {
 }
 
 int stackViolations(unsigned layers) {
-  if (layers == 0) {
-    return 0;
-  }
-  int low = 0;
-  while ((layers >> static_cast<unsigned>(low) & 1U) == 0U) {
-    ++low;
-  }
-  int high = low;
-  int count = 0;
-  for (int l = low; l < kLayerCount; ++l) {
-    if ((layers >> static_cast<unsigned>(l) & 1U) != 0U) {
-      high = l;
-      ++count;
-    }
-  }
-  return high - low + 1 - count + std::max(0, count - 3);
+  const layout::StackFaults faults = layout::stackFaults(layers);
+  return faults.gaps + faults.overfull;
 }
 
 unsigned bit(int layer) {
