@@ -20,15 +20,19 @@ int fewestBeams(const GuideRun& run, const std::vector<bool>& bridged) {
   return std::max(beams, 1);
 }
 
+int fewestBeams(const GuidingGraph& graph, const GuideRun& run) {
+  std::vector<bool> bridged(run.nodes.size(), false);
+  for (std::size_t j = 0; j < run.junctions.size(); ++j) {
+    const Junction& junction = graph.junctions[static_cast<std::size_t>(run.junctions[j])];
+    bridged[static_cast<std::size_t>(run.junctionIndices[j])] = mayBridge(run, junction);
+  }
+  return fewestBeams(run, bridged);
+}
+
 int beamsLowerBound(const GuidingGraph& graph) {
   int total = 0;
   for (const GuideRun& run : graph.runs) {
-    std::vector<bool> bridged(run.nodes.size(), false);
-    for (std::size_t j = 0; j < run.junctions.size(); ++j) {
-      const Junction& junction = graph.junctions[static_cast<std::size_t>(run.junctions[j])];
-      bridged[static_cast<std::size_t>(run.junctionIndices[j])] = mayBridge(run, junction);
-    }
-    total += fewestBeams(run, bridged);
+    total += fewestBeams(graph, run);
   }
   return total;
 }

@@ -16,6 +16,9 @@ inline constexpr int kLongestBeam = 14;
 //! layers are.
 int fewestBeams(const GuideRun& run, const std::vector<bool>& bridged);
 
+//! \brief The same for a run of this graph, with its bridgeable junctions marked.
+int fewestBeams(const GuidingGraph& graph, const GuideRun& run);
+
 //! \brief Lower bound on the number of straight beams of any layout of this graph (report key
 //! beamsLowerBound): the sum of fewestBeams over all runs, where a mechanism may bridge the edges
 //! next to a junction whose runs no single hole axis can serve (Junction::bridgeable). \details

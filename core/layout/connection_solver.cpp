@@ -1,7 +1,6 @@
 #include "layout/connection_solver.h"
 
 #include <algorithm>
-#include <bitset>
 
 #include "base/hash.h"
 
@@ -27,7 +26,16 @@ struct Candidate {
   PlacedMechanism placed;
   std::uint32_t terminals = 0;
   double cost = 0.0;
+  double value = 0.0;  //!< cost for each join
 };
+
+int countBits(std::uint32_t bits) {
+  int count = 0;
+  for (; bits != 0; bits &= bits - 1) {
+    ++count;
+  }
+  return count;
+}
 
 bool nearCentre(Cell c, int radius) {
   return c.x * c.x + c.y * c.y + c.z * c.z <= kReachSquared && c.x >= -radius && c.x <= radius &&
@@ -57,7 +65,7 @@ class Search {
     for (int t = 0; t < problem_.terminals; ++t) {
       seen |= 1U << static_cast<unsigned>(cluster[static_cast<std::size_t>(t)]);
     }
-    return static_cast<int>(std::bitset<32>(seen).count());
+    return countBits(seen);
   }
 
   //! Only a single pin through the joint's own axis may join beams that must turn against each
@@ -129,40 +137,43 @@ class Search {
     }
   }
 
-  void collect(int radius) {
-    const std::vector<LocalHole>& holes = problem_.holes();
-    for (std::size_t i = 0; i < holes.size(); ++i) {
-      const LocalHole& a = holes[i];
-      if (a.terminal < 0 || a.used || !nearCentre(a.at, radius)) {
-        continue;
+  //! Holes of the terminals that a mechanism may use, by terminal.
+  [[nodiscard]] std::vector<const LocalHole*> usableHoles(int radius) const {
+    std::vector<const LocalHole*> usable;
+    for (const LocalHole& hole : problem_.holes()) {
+      if (hole.terminal >= 0 && !hole.used && nearCentre(hole.at, radius)) {
+        usable.push_back(&hole);
       }
-      for (std::size_t j = 0; j < holes.size(); ++j) {
-        const LocalHole& b = holes[j];
-        if (b.terminal < 0 || b.used || !nearCentre(b.at, radius) || b.terminal <= a.terminal ||
-            problem_.cluster[static_cast<std::size_t>(a.terminal)] ==
-                problem_.cluster[static_cast<std::size_t>(b.terminal)]) {
+    }
+    return usable;
+  }
+
+  void collect(int radius) {
+    const std::vector<const LocalHole*> usable = usableHoles(radius);
+    for (const LocalHole* a : usable) {
+      const std::int8_t cluster = problem_.cluster[static_cast<std::size_t>(a->terminal)];
+      for (const LocalHole* b : usable) {
+        if (b->terminal <= a->terminal ||
+            problem_.cluster[static_cast<std::size_t>(b->terminal)] == cluster) {
           continue;
         }
-        for (const TableEntry& entry : table_.between(b.at - a.at, a.axis, b.axis)) {
+        for (const TableEntry& entry : table_.between(b->at - a->at, a->axis, b->axis)) {
           const OrientedMechanism& m = table_.oriented(entry.mechanism);
           const Cell head = m.shape.cells[static_cast<std::size_t>(entry.headA)].at;
-          tryPlace(entry.mechanism, a.at - head);
+          tryPlace(entry.mechanism, a->at - head);
         }
       }
     }
-    const auto value = [](const Candidate& c) {
-      const auto joined = static_cast<double>(std::bitset<32>(c.terminals).count());
-      return c.cost / (joined - 1.0);
-    };
-    const auto before = [&](const Candidate& a, const Candidate& b) {
-      const double va = value(a);
-      const double vb = value(b);
-      if (va != vb) {
-        return va < vb;
+    const auto before = [](const Candidate& a, const Candidate& b) {
+      if (a.value != b.value) {
+        return a.value < b.value;
       }
       return a.placed.oriented != b.placed.oriented ? a.placed.oriented < b.placed.oriented
                                                     : a.placed.at < b.placed.at;
     };
+    for (Candidate& candidate : candidates_) {
+      candidate.value = candidate.cost / static_cast<double>(countBits(candidate.terminals) - 1);
+    }
     std::sort(candidates_.begin(), candidates_.end(), before);
     candidates_.erase(std::unique(candidates_.begin(),
                                   candidates_.end(),
@@ -176,18 +187,17 @@ class Search {
     }
   }
 
-  [[nodiscard]] bool compatible(const PlacedMechanism& a, const PlacedMechanism& b) const {
-    const OrientedMechanism& ma = table_.oriented(a.oriented);
-    const OrientedMechanism& mb = table_.oriented(b.oriented);
-    const Cell shift = b.at - a.at;
-    for (const MechanismCell& ca : ma.shape.cells) {
-      for (const MechanismCell& cb : mb.shape.cells) {
-        if (ca.at == cb.at + shift) {
-          return false;
-        }
-      }
+  [[nodiscard]] bool fits(const PlacedMechanism& placed) const {
+    const std::vector<MechanismCell>& cells = table_.oriented(placed.oriented).shape.cells;
+    return std::all_of(cells.begin(), cells.end(), [&](const MechanismCell& cell) {
+      return taken_[static_cast<std::size_t>(boxIndex(cell.at + placed.at))] == 0;
+    });
+  }
+
+  void take(const PlacedMechanism& placed, std::uint8_t mark) {
+    for (const MechanismCell& cell : table_.oriented(placed.oriented).shape.cells) {
+      taken_[static_cast<std::size_t>(boxIndex(cell.at + placed.at))] = mark;
     }
-    return true;
   }
 
   void descend(const std::array<std::int8_t, LocalProblem::kMaxTerminals>& cluster,
@@ -208,18 +218,14 @@ class Search {
           joined |= 1U << static_cast<unsigned>(cluster[static_cast<std::size_t>(t)]);
         }
       }
-      const int gain = static_cast<int>(std::bitset<32>(joined).count()) - 1;
+      const int gain = countBits(joined) - 1;
       // Always grow the cluster of the first beam: every set of mechanisms is tried in one order
       // only.
       const bool growsFirst = (joined >> static_cast<unsigned>(cluster[0]) & 1U) != 0U;
       if (gain <= 0 || !growsFirst || (best_.failed == 0 && cost + candidate.cost >= best_.cost)) {
         continue;
       }
-      const bool fitsAll =
-          std::all_of(chosen_.begin(), chosen_.end(), [&](const PlacedMechanism& other) {
-            return compatible(candidate.placed, other);
-          });
-      if (!fitsAll) {
+      if (!fits(candidate.placed)) {
         continue;
       }
       std::array<std::int8_t, LocalProblem::kMaxTerminals> merged = cluster;
@@ -230,7 +236,9 @@ class Search {
         }
       }
       chosen_.push_back(candidate.placed);
+      take(candidate.placed, 1);
       descend(merged, left - gain, cost + candidate.cost);
+      take(candidate.placed, 0);
       chosen_.pop_back();
       if (nodes_ > kMaxNodes) {
         return;
@@ -242,6 +250,7 @@ class Search {
   const MechanismTable& table_;
   std::vector<Candidate> candidates_;
   std::vector<PlacedMechanism> chosen_;
+  std::array<std::uint8_t, kBoxCells> taken_{};  // cells of the chosen mechanisms
   Connection best_;
   int nodes_ = 0;
 };
@@ -262,15 +271,21 @@ void LocalProblem::clear() {
   }
 }
 
+void LocalProblem::touch(int cell) {
+  if (content_[static_cast<std::size_t>(cell)] == 0) {
+    touched_.push_back(cell);
+  }
+}
+
 void LocalProblem::block(int cell) {
+  touch(cell);
   content_[static_cast<std::size_t>(cell)] = -1;
-  touched_.push_back(cell);
 }
 
 void LocalProblem::addHole(const LocalHole& hole) {
   const int cell = boxIndex(hole.at);
+  touch(cell);
   std::int16_t& content = content_[static_cast<std::size_t>(cell)];
-  touched_.push_back(cell);
   if (content > 0) {
     content = -1;
     return;
@@ -304,33 +319,18 @@ bool LocalProblem::blocked(int cell) const {
 }
 
 std::uint64_t LocalProblem::hash() const {
-  std::uint64_t sum = 0;
+  std::uint64_t sum = 0;  // each cell was touched once, so a sum does not depend on the order
   for (const int cell : touched_) {
     const std::int16_t content = content_[static_cast<std::size_t>(cell)];
-    if (content < 0) {
-      continue;
-    }
+    std::uint64_t code = 0;
     if (content > 0) {
       const LocalHole& hole = holes_[static_cast<std::size_t>(content - 1)];
-      const auto code = static_cast<std::uint64_t>(hole.terminal + 1) * 8U +
-                        static_cast<std::uint64_t>(lattice::index(hole.axis)) * 2U +
-                        (hole.used ? 1U : 0U);
-      sum += base::mixHash(static_cast<std::uint64_t>(cell), code + 2U);
+      code = 2U + static_cast<std::uint64_t>(hole.terminal + 1) * 8U +
+             static_cast<std::uint64_t>(lattice::index(hole.axis)) * 2U + (hole.used ? 1U : 0U);
     }
+    sum += base::mixHash(static_cast<std::uint64_t>(cell), code);
   }
-  // Blocked cells may have been touched many times: count each once.
-  std::vector<int> blockedCells;
-  for (const int cell : touched_) {
-    if (blocked(cell)) {
-      blockedCells.push_back(cell);
-    }
-  }
-  std::sort(blockedCells.begin(), blockedCells.end());
-  blockedCells.erase(std::unique(blockedCells.begin(), blockedCells.end()), blockedCells.end());
   std::uint64_t hash = base::mixHash(sum, static_cast<std::uint64_t>(terminals));
-  for (const int cell : blockedCells) {
-    hash = base::mixHash(hash, static_cast<std::uint64_t>(cell));
-  }
   for (int t = 0; t < terminals; ++t) {
     const auto at = static_cast<std::size_t>(t);
     hash = base::mixHash(hash, static_cast<std::uint64_t>(cluster[at] * 64 + group[at] + 1));

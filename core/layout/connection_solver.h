@@ -66,6 +66,8 @@ class LocalProblem {
   [[nodiscard]] std::uint64_t hash() const;
 
  private:
+  void touch(int cell);
+
   std::array<std::int16_t, kBoxCells> content_{};  //!< 0 empty, -1 blocked, else hole number + 1
   std::vector<LocalHole> holes_;
   std::vector<int> touched_;

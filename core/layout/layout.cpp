@@ -174,13 +174,6 @@ void Layout::setCover(int run, Cover cover) {
     runSaved_[at(run)] = 1;
     savedRuns_.emplace_back(run, state);
   }
-  for (const auto& [junction, viewIndex] : problem_->seenBy[at(run)]) {
-    const RunView& view = problem_->views[at(junction)].runs[at(viewIndex)];
-    if (stale_[at(junction)] == 0 && signature(view, state.cover) != signature(view, cover)) {
-      stale_[at(junction)] = 1;
-      staleList_.push_back(junction);
-    }
-  }
   for (const int other : problem_->graph.runs[at(run)].near) {
     if (runs_[at(other)].cover.beams.empty()) {
       continue;
@@ -203,6 +196,23 @@ void Layout::saveJunction(int junction) {
   }
 }
 
+//! Junctions whose surroundings are not what they were at keep().
+void Layout::findStale() {
+  for (const auto& [run, before] : savedRuns_) {
+    const Cover& now = runs_[at(run)].cover;
+    if (before.cover == now) {
+      continue;
+    }
+    for (const auto& [junction, viewIndex] : problem_->seenBy[at(run)]) {
+      const RunView& view = problem_->views[at(junction)].runs[at(viewIndex)];
+      if (stale_[at(junction)] == 0 && signature(view, before.cover) != signature(view, now)) {
+        stale_[at(junction)] = 1;
+        staleList_.push_back(junction);
+      }
+    }
+  }
+}
+
 //! A junction that leans on a neighbour's mechanism must be solved again with it.
 void Layout::spreadStale() {
   for (std::size_t i = 0; i < staleList_.size(); ++i) {
@@ -215,18 +225,65 @@ void Layout::spreadStale() {
   }
 }
 
-void Layout::settle() {
-  spreadStale();
-  std::sort(staleList_.begin(), staleList_.end());
+//! Takes the connections of all stale junctions off; their stacks are counted already. Returns the
+//! least that joining them will cost: a part each, unless a neighbour may do it.
+double Layout::clearStale() {
+  double open = 0.0;
+  openCosts_.clear();
   for (const int junction : staleList_) {
     saveJunction(junction);
-    addJunction(junctions_[at(junction)], junction, -1);
-    junctions_[at(junction)] = JunctionState{};
+    JunctionState& state = junctions_[at(junction)];
+    addJunction(state, junction, -1);
+    const bool several = problem_->graph.junctions[at(junction)].incident.size() > 1;
+    openCosts_.push_back(several && !state.leans ? 1.0 : 0.0);
+    open += openCosts_.back();
+    state = JunctionState{};
+    countStack(junction, &state);
+    addJunction(state, junction, 1);
   }
-  for (const int junction : staleList_) {
+  return open;
+}
+
+//! Asks `hopeless` with what is open at its least, and failures forgiven that giveWay() may mend.
+bool Layout::givesUp(double open, const std::function<bool()>& hopeless) {
+  if (!hopeless) {
+    return false;
+  }
+  double forgiven = 0.0;
+  if (tallies_.failedConnections <= kFewFailures) {
+    for (const int junction : staleList_) {
+      forgiven += static_cast<double>(junctions_[at(junction)].connection.failed) *
+                  junctionWeights_[at(junction)];
+    }
+  }
+  tallies_.connectionCost += open;
+  weighted_ -= forgiven;
+  const bool answer = hopeless();
+  tallies_.connectionCost -= open;
+  weighted_ += forgiven;
+  return answer;
+}
+
+bool Layout::settle(const std::function<bool()>& hopeless) {
+  findStale();
+  spreadStale();
+  std::sort(staleList_.begin(), staleList_.end());
+  double open = clearStale();
+  if (givesUp(open, hopeless)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < staleList_.size(); ++i) {
+    const int junction = staleList_[i];
+    JunctionState& state = junctions_[at(junction)];
+    addJunction(state, junction, -1);
+    state = JunctionState{};
     solveJunction(junction);
-    addJunction(junctions_[at(junction)], junction, 1);
+    addJunction(state, junction, 1);
     stale_[at(junction)] = 0;
+    open -= openCosts_[i];
+    if (state.connection.cost > openCosts_[i] && givesUp(open, hopeless)) {
+      return false;
+    }
   }
   if (tallies_.failedConnections <= kFewFailures) {
     for (const int junction : staleList_) {
@@ -236,6 +293,7 @@ void Layout::settle() {
     }
   }
   staleList_.clear();
+  return true;
 }
 
 //! Where a junction failed, its neighbours' mechanisms may stand in its way: it chooses first, they
@@ -351,6 +409,12 @@ Tallies Layout::recount() const {
     fresh.addJunction(junctions_[j], static_cast<int>(j), 1);
   }
   return fresh.tallies_;
+}
+
+int Layout::stackViolationsAt(int junction) const {
+  JunctionState state;
+  countStack(junction, &state);
+  return state.gaps + state.overfull;
 }
 
 void Layout::countStack(int junction, JunctionState* state) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "guide/guiding_graph.h"
@@ -74,7 +75,12 @@ class Layout {
   void setCover(int run, Cover cover);
 
   //! \brief Solves again every connection that the changes since keep() may touch.
-  void settle();
+  void settle() { settle({}); }
+
+  //! \brief settle() that may give up: `hopeless` is asked each time tallies() has grown, while
+  //! what is not solved yet counts with the least it can cost. \return False when it gave up; then
+  //! only revert() may follow.
+  bool settle(const std::function<bool()>& hopeless);
 
   void keep();
   void revert();
@@ -107,6 +113,9 @@ class Layout {
   //! \brief Tallies counted again from the covers and connections alone; equal to tallies() always.
   [[nodiscard]] Tallies recount() const;
 
+  //! \brief Empty layers and beams too many in the stacks at a junction, whether settled or not.
+  [[nodiscard]] int stackViolationsAt(int junction) const;
+
   //! \brief Beams of incident runs that a junction's mechanisms must join, by (run, beam index).
   [[nodiscard]] std::vector<std::pair<int, int>> terminalsAt(int junction) const;
 
@@ -121,7 +130,10 @@ class Layout {
   bool fillProblem(int junction);
   void fillRun(const RunView& view);
   bool fillOthers(int junction);
+  void findStale();
   void spreadStale();
+  double clearStale();
+  bool givesUp(double open, const std::function<bool()>& hopeless);
   void countStack(int junction, JunctionState* state) const;
   [[nodiscard]] bool plainStack(int junction, Connection* connection) const;
   [[nodiscard]] std::uint64_t signature(const RunView& view, const Cover& cover) const;
@@ -144,6 +156,7 @@ class Layout {
   std::vector<std::uint8_t> junctionSaved_;
   std::vector<std::uint8_t> stale_;
   std::vector<int> staleList_;
+  std::vector<double> openCosts_;  // by place in staleList_, while settling
   LocalProblem local_;
   int localPiece_ = 0;
   std::vector<std::pair<int, int>> localTerminals_;

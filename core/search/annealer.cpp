@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "base/det_math.h"
+#include "guide/beam_bound.h"
+#include "guide/layer_field.h"
 #include "guide/orientation.h"
 
 namespace liftarm::search {
@@ -46,6 +48,9 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
       softWeights_(options_.weights),
       violationWeight_(weightOf(options_.weights, "violations")) {
   measures_.scale = objective::scaleOf(problem.graph);
+  for (const guide::GuideRun& run : problem.graph.runs) {
+    fewestBeams_.push_back(guide::fewestBeams(problem.graph, run));
+  }
   softWeights_[*objective::termIndex("violations")] = 0.0;
 }
 
@@ -84,11 +89,14 @@ void Annealer::start() {
   for (int r = 0; r < runs; ++r) {
     layout_.setCover(r, {orientation[at(r)], {}});
   }
+  const guide::LayerField field = guide::makeLayerField(problem_->graph, orientation, &rng_);
   for (int r = 0; r < runs; ++r) {
+    coverer_.setPreferred(&field[at(r)]);
     if (auto cover = coverer_.propose(layout_, r, orientation[at(r)], 0.5, &rng_)) {
       layout_.setCover(r, std::move(*cover));
     }
   }
+  coverer_.setPreferred(nullptr);
   layout_.settleAll();
   layout_.keep();
   energy_ = energy();

@@ -71,6 +71,9 @@ class Annealer {
   [[nodiscard]] int pickPartner(int run);
   bool recover(int run, double noise);
   bool recoverMany(int run, double noise);
+  bool mirror(int run, double noise);
+  bool recoverCrossing(int run, double noise);
+  [[nodiscard]] int pickCostlyRun();
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
   bool straighten(int run, double noise);
   bool bend(int run, double noise);
@@ -98,6 +101,7 @@ class Annealer {
   mutable objective::Measures measures_;  // reused: the tallies change, the scale does not
   objective::Weights softWeights_{};      // options_.weights without the hard conditions
   double violationWeight_ = 0.0;
+  std::vector<int> fewestBeams_;  // by run: a lower bound
   std::vector<int> sites_;
   int site_ = -1;  // violated junction that the last pick came from
 };

@@ -13,12 +13,19 @@ constexpr double kPickAxis = 0.12;       // share of moves that turn the run's h
 constexpr double kPickTwo = 0.35;        // share of moves that cover two runs anew
 constexpr double kPickMany = 0.2;  // share of moves that clear several runs first, while violated
 constexpr std::uint32_t kMostMany = 4;
+constexpr double kPickCostly =
+    0.5;  // share of moves at a run with more beams than it needs, if any
+constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBend = 0.06;    // share of moves that lay an L beam at a corner
 constexpr double kStraighten = 0.25;  // share of moves on a run with L beams that take them out
 constexpr std::uint32_t kMostFollowers = 7;
 constexpr int kLongArm = 5;  // holes of the L beam's arms (32526)
 constexpr int kShortArm = 3;
+constexpr double kNearLayers = 0.3;  // share of moves that use one layer on either side at most
+constexpr double kMoreLayers = 0.6;  // of the others: those that use two
 constexpr double kMostNoise = 9.0;
+constexpr double kMirrorNoise = 0.2;  // of the others' noise: what follows is to fit
+constexpr double kNoLimit = 1e300;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -52,6 +59,10 @@ int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
   site_ = -1;
   if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
+    const int costly = rng_.unit() < kPickCostly ? pickCostlyRun() : -1;
+    if (costly >= 0) {
+      return costly;
+    }
     return static_cast<int>(rng_.below(runs));
   }
   sites_.clear();
@@ -80,6 +91,22 @@ int Annealer::pickRun() {
     return junction.nearRuns[rng_.below(static_cast<std::uint32_t>(junction.nearRuns.size()))];
   }
   return junction.incident[rng_.below(static_cast<std::uint32_t>(junction.incident.size()))].run;
+}
+
+//! A run with more beams than it needs, or one that meets it; -1: there is none.
+int Annealer::pickCostlyRun() {
+  sites_.clear();
+  for (std::size_t r = 0; r < fewestBeams_.size(); ++r) {
+    if (static_cast<int>(layout_.run(static_cast<int>(r)).cover.beams.size()) > fewestBeams_[r]) {
+      sites_.push_back(static_cast<int>(r));
+    }
+  }
+  if (sites_.empty()) {
+    return -1;
+  }
+  const int run = sites_[rng_.below(static_cast<std::uint32_t>(sites_.size()))];
+  const int partner = rng_.below(2) == 0 ? pickPartner(run) : -1;
+  return partner >= 0 ? partner : run;
 }
 
 //! Another run that meets this one, or -1.
@@ -227,37 +254,80 @@ bool Annealer::recoverMany(int run, double noise) {
   return true;
 }
 
+//! Covers those runs anew that meet this one in a stack with a fault; false when there is none.
+bool Annealer::recoverCrossing(int run, double noise) {
+  bool any = false;
+  for (const int junction : problem_->graph.runs[at(run)].junctions) {
+    if (layout_.stackViolationsAt(junction) == 0) {
+      continue;
+    }
+    for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
+      if (incidence.run != run && armsOf(layout_.run(incidence.run).cover).empty()) {
+        any = coverRun(incidence.run, layout_.run(incidence.run).cover.axis, noise, {}) || any;
+      }
+    }
+  }
+  return any;
+}
+
+//! Mirrors the layers of a run, and lets all that cross it follow: where lines change layers, in a
+//! grid, is a wall across many lines, which no line can move alone.
+bool Annealer::mirror(int run, double noise) {
+  layout::Cover cover = layout_.run(run).cover;
+  if (problem_->graph.runs[at(run)].exact || !armsOf(cover).empty()) {
+    return false;
+  }
+  const int sum = rng_.below(2) == 0 ? 1 : -1;
+  for (layout::Beam& beam : cover.beams) {
+    beam.layer = sum - beam.layer;
+    if (beam.layer > guide::kMaxLayer || beam.layer < -guide::kMaxLayer) {
+      return false;
+    }
+  }
+  layout_.setCover(run, std::move(cover));
+  if (recoverCrossing(run, noise)) {
+    recoverCrossing(run, noise);
+  }
+  return true;
+}
+
 void Annealer::move() {
   const int run = pickRun();
   const double noise = kMostNoise * rng_.unit();
+  coverer_.setReach(rng_.unit() < kNearLayers ? 1
+                                              : (rng_.unit() < kMoreLayers ? 2 : guide::kMaxLayer));
   const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
   const bool corner = !many && options_.corners && rng_.unit() < kPickBend;
-  bool changed = many ? recoverMany(run, noise) : (corner ? bend(run, noise) : recover(run, noise));
-  if (corner && !changed) {
-    layout_.revert();
-    return;
-  }
-  if (!many && !corner && rng_.unit() < kPickTwo) {
-    const int partner = pickPartner(run);
+  const bool mirrored = !many && !corner && rng_.unit() < kPickMirror;
+  bool changed = false;
+  if (many) {
+    changed = recoverMany(run, noise);
+  } else if (mirrored) {
+    changed = mirror(run, kMirrorNoise * noise);
+  } else if (corner) {
+    changed = bend(run, noise);
+  } else {
+    changed = recover(run, noise);
+    const int partner = rng_.unit() < kPickTwo ? pickPartner(run) : -1;
     changed = (partner >= 0 && recover(partner, noise)) || changed;
   }
   if (!changed) {
     layout_.revert();
     return;
   }
-  layout_.settle();
-  const double after = energy();
-  const double delta = after - energy_;
-  if (delta <= 0.0 || rng_.unit() < base::detExp(-delta / temperature_)) {
-    layout_.keep();
-    energy_ = after;
-    if (delta < 0.0) {
-      lastChange_ = delta < -1e-9 ? iteration_ : lastChange_;
-    }
-    keepBest();
-  } else {
+  // The threshold is drawn first, so that a move that cannot pass it is not connected to its end.
+  const double chance = rng_.unit();
+  const double limit = chance <= 0.0 ? kNoLimit : energy_ - temperature_ * base::detLog(chance);
+  const bool settled = layout_.settle([&] { return energy() > limit; });
+  if (!settled || energy() > limit) {
     layout_.revert();
+    return;
   }
+  layout_.keep();
+  const double after = energy();
+  lastChange_ = after < energy_ - 1e-9 ? iteration_ : lastChange_;
+  energy_ = after;
+  keepBest();
 }
 
 }  // namespace liftarm::search

@@ -1,7 +1,9 @@
 #include "search/run_coverer.h"
 
 #include <algorithm>
+#include <cstdlib>
 
+#include "guide/layer_field.h"
 #include "layout/stack.h"
 
 namespace liftarm::search {
@@ -57,6 +59,9 @@ bool RunCoverer::mayEnd(int last) const {
 }
 
 double RunCoverer::stackCost(std::size_t place, unsigned own) const {
+  if ((own & unwanted_[place]) != 0U) {
+    return costs_.violation;
+  }
   const int with = stackViolations(otherLayers_[place] | own);
   return with == 0 ? 0.0 : costs_.violation * stackWeights_[place] * static_cast<double>(with);
 }
@@ -86,6 +91,8 @@ void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis ax
     mixed_[at(node + 1)] = mixed && guide::mayBridge(guideRun, junction) ? 1 : 0;
     junctionPlaces_[at(node + 1)] = static_cast<int>(otherLayers_.size());
     otherLayers_.push_back(others);
+    const int wanted = preferred_ == nullptr ? guide::kNoLayer : (*preferred_)[j];
+    unwanted_.push_back(wanted == guide::kNoLayer ? 0U : ~bit(wanted));
     stackWeights_.push_back(layout.junctionWeights()[at(guideRun.junctions[j])]);
   }
 }
@@ -100,7 +107,7 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
     for (const Beam& beam : cover.beams) {
       const layout::Stadium theirs =
           layout::stadiumOf(graph, graph.runs[at(other)], cover.axis, beam);
-      for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+      for (int layer = -reach_; layer <= reach_; ++layer) {
         const auto hits = [&](int first, int last) {
           return overlap(layout::stadiumOf(graph, guideRun, axis, {first, last - first + 1, layer}),
                          theirs);
@@ -139,7 +146,7 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
   const guide::GuidingGraph& graph = problem_->graph;
   const guide::GuideRun& guideRun = graph.runs[at(run)];
   const bool restricted = graph.ground.has_value() || !graph.keepOut.empty();
-  for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+  for (int layer = -reach_; layer <= reach_; ++layer) {
     std::vector<int> forbidden(at(edges_ + 4), 0);
     for (int i = -1; i <= edges_ + 1 && restricted; ++i) {
       const bool bad =
@@ -169,7 +176,6 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
           cost +=
               kForbidden * static_cast<double>(forbidden[at(last + 2)] - forbidden[at(start + 1)]);
         }
-        cost += exact_ && layer != 0 ? kForbidden : 0.0;
         beamCost_[beamIndex(start, n, layer)] += cost;
       }
     }
@@ -209,6 +215,10 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   edges_ = guideRun.edgeCount();
   exact_ = guideRun.exact;
+  reach_ = exact_ ? 0 : wantedReach_;
+  for (const Beam& fixed : fixed_) {
+    reach_ = std::max(reach_, std::abs(fixed.layer));
+  }
   beamCost_.assign(at(edges_ + 2) * lengths_.size() * at(kLayerCount), 0.0);
   value_.assign(at((edges_ + 3) * kLayerCount), kNever);
   choice_.assign(value_.size(), Choice{});
@@ -216,6 +226,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   junctionPlaces_.assign(at(edges_ + 4), -1);
   otherLayers_.clear();
   stackWeights_.clear();
+  unwanted_.clear();
   addJunctionCosts(layout, run, axis);
   addBlockers(layout, run, axis);
 }
@@ -224,7 +235,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
 void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
   const int previousLast = state < 0 ? start - 1 : state / kLayerCount - 1;
   const double base = state < 0 ? 0.0 : value_[at(state)];
-  for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+  for (int layer = -reach_; layer <= reach_; ++layer) {
     double joint = 0.0;
     if (state >= 0 && overlapFrom <= previousLast) {
       const bool bridged = overlapFrom == previousLast && mixed_[at(previousLast + 1)] != 0;
@@ -293,7 +304,7 @@ std::optional<Cover> RunCoverer::propose(
   }
   int best = -1;
   for (int last = 0; last <= edges_ + 1; ++last) {
-    for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+    for (int layer = -reach_; layer <= reach_; ++layer) {
       extendFrom(last, layer);
       const int state = stateOf(last, layer);
       if (mayEnd(last) && value_[at(state)] < kNever &&

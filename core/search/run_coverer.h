@@ -41,6 +41,14 @@ class RunCoverer {
   //! none.
   void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
 
+  //! \brief Highest layer, on either side, that the next proposals may use: fewer layers, less
+  //! work.
+  void setReach(int layers) { wantedReach_ = layers; }
+
+  //! \brief Layers that the next proposals had better have at the run's junctions
+  //! (guide/layer_field); null: any. The list must outlive the proposals.
+  void setPreferred(const std::vector<int>* layers) { preferred_ = layers; }
+
   [[nodiscard]] const CoverCosts& costs() const { return costs_; }
 
  private:
@@ -68,8 +76,11 @@ class RunCoverer {
   CoverCosts costs_;
 
   std::vector<layout::Beam> fixed_;
+  const std::vector<int>* preferred_ = nullptr;
 
   // One run's working set, reused from call to call.
+  int wantedReach_ = guide::kMaxLayer;
+  int reach_ = guide::kMaxLayer;
   int edges_ = 0;
   bool exact_ = false;
   std::vector<double> beamCost_;  // by start, length, layer
@@ -79,6 +90,7 @@ class RunCoverer {
   std::vector<int> junctionPlaces_;    // by node index + 1: place in the lists below, or -1
   std::vector<unsigned> otherLayers_;  // layers of other beams with this axis, by place
   std::vector<double> stackWeights_;   // by place
+  std::vector<unsigned> unwanted_;     // layers that are not preferred, by place
 };
 
 }  // namespace liftarm::search
