@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/node_index.h"
+#include "analysis/piece_matching.h"
 #include "analysis/union_find.h"
 
 namespace liftarm::analysis {
@@ -50,7 +51,10 @@ void tellStrayAssembly(const Scene& scene,
 std::vector<int> findAssemblies(const Scene& scene) {
   UnionFind groups(scene.parts.size());
   std::vector<int> assemblies(scene.parts.size(), -1);
+  std::vector<bool> touched(scene.parts.size(), false);
   for (const model::Connection& c : scene.connections) {
+    touched[static_cast<std::size_t>(c.male)] = true;
+    touched[static_cast<std::size_t>(c.female)] = true;
     if (c.fit != model::Fit::kSlide) {
       groups.join(c.male, c.female);
       assemblies[static_cast<std::size_t>(c.male)] = 0;
@@ -58,7 +62,9 @@ std::vector<int> findAssemblies(const Scene& scene) {
     }
   }
   for (std::size_t i = 0; i < assemblies.size(); ++i) {
-    if (assemblies[i] == 0) {
+    const parts::Part* part = scene.parts[i].part;
+    const bool beam = part != nullptr && part->partClass == parts::PartClass::kBeam;
+    if (assemblies[i] == 0 || (beam && !touched[i])) {
       assemblies[i] = groups.find(static_cast<int>(i));
     }
   }
@@ -91,50 +97,29 @@ ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& cover
   ItemResult result;
   const std::vector<int> assemblies = findAssemblies(scene);
   const std::vector<int> pieces = piecesOfSketch(scene, coverage);
-  std::vector<std::set<int>> ofPiece(static_cast<std::size_t>(countOf(pieces)));
-  for (const EdgeCover& edge : coverage) {
-    for (const Cover& cover : edge.covers) {
-      const int assembly = assemblies[static_cast<std::size_t>(cover.part)];
-      if (assembly >= 0) {
-        ofPiece[static_cast<std::size_t>(pieces[static_cast<std::size_t>(edge.line)])].insert(
-            assembly);
-      }
-    }
-  }
-  // The first assembly of each piece is its main one; any other is a stray. Without a sketch the
-  // assembly of the first part is.
-  std::set<int> main;
-  for (const std::set<int>& found : ofPiece) {
-    if (!found.empty()) {
-      main.insert(*found.begin());
-    }
-  }
-  if (main.empty()) {
-    main.insert(0);
-  }
+  const PieceMatching matching = matchPieces(coverage, assemblies, pieces);
+  const std::vector<int>& taken = matching.assemblyOfPiece;
   for (int assembly = 0; assembly < countOf(assemblies); ++assembly) {
-    if (main.count(assembly) == 0) {
+    // Without a sketch the assembly of the first part is the model; any other is a stray.
+    const bool known = std::find(taken.begin(), taken.end(), assembly) != taken.end();
+    if (pieces.empty() ? assembly > 0 : !known) {
       tellStrayAssembly(scene, assemblies, assembly, result);
     }
   }
-  for (std::size_t piece = 0; piece < ofPiece.size(); ++piece) {
-    if (ofPiece[piece].size() > 1) {
-      // Each of them is main for some piece, yet this piece is spread over several.
-      const bool told = std::any_of(ofPiece[piece].begin(),
-                                    ofPiece[piece].end(),
-                                    [&](int assembly) { return main.count(assembly) == 0; });
-      if (!told) {
-        result.problems.push_back({"separate",
-                                   "connected part " + std::to_string(piece) +
-                                       " of the sketch is built as " +
-                                       std::to_string(ofPiece[piece].size()) + " assemblies",
-                                   std::nullopt,
-                                   {}});
+  if (result.problems.empty()) {
+    for (std::size_t piece = 0; piece < matching.assemblyOfPiece.size(); ++piece) {
+      if (matching.assemblyOfPiece[piece] < 0 && matching.covered[piece]) {
+        result.problems.push_back(
+            {"separate",
+             "connected part " + std::to_string(piece) + " of the sketch is no assembly of its own",
+             std::nullopt,
+             {}});
       }
     }
   }
   result.detail = std::to_string(countOf(assemblies)) + " assemblies for " +
-                  std::to_string(ofPiece.size()) + " connected parts of the sketch";
+                  std::to_string(matching.assemblyOfPiece.size()) +
+                  " connected parts of the sketch";
   return result;
 }
 

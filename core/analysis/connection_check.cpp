@@ -80,6 +80,9 @@ void findLooseParts(const Scene& scene, ItemResult& result) {
     }
     const int index = static_cast<int>(i);
     const bool loose = touching[i] > 0;
+    if (!loose && scene.parts[i].part->partClass == parts::PartClass::kBeam) {
+      continue;  // an assembly of its own: item 4 tells whether the sketch has a line for it
+    }
     result.problems.push_back(
         {loose ? "loose" : "unconnected",
          nameOf(scene, index) +

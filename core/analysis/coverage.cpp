@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "analysis/assembly.h"
 #include "analysis/cover_matching.h"
+#include "analysis/piece_matching.h"
 
 namespace liftarm::analysis {
 
@@ -108,6 +110,7 @@ std::vector<EdgeCover> findCoverage(const Scene& scene) {
       coverEdges(stretch, line, edges.data() + begin);
     }
   }
+  keepOwnCovers(findAssemblies(scene), piecesOfSketch(scene, edges), edges);
   matchCovers(edges);
   return edges;
 }

@@ -134,6 +134,68 @@ void addConnections(const Slot& male, const SlotGrid& grid, std::vector<Connecti
   }
 }
 
+//! What stands at one slot of an axle.
+enum class AxlePlace : std::uint8_t { kEmpty, kSliding, kStop };
+
+//! What stands at each slot of an axle's head, its collars included: one place more on either side.
+std::vector<AxlePlace> placesOn(const parts::Part& part,
+                                const parts::Feature& feature,
+                                const std::vector<const Connection*>& connections) {
+  const std::size_t slots = feature.slots.size();
+  std::vector<AxlePlace> places(slots + 2, AxlePlace::kEmpty);
+  for (const Connection* c : connections) {
+    AxlePlace& place = places[static_cast<std::size_t>(c->maleSlot) + 1];
+    place = c->fit == Fit::kRigid ? AxlePlace::kStop : std::max(place, AxlePlace::kSliding);
+  }
+  for (const parts::Prism& collar : part.collars) {
+    // A collar is a thin ring at an end: it stops what lies in the slot next to it.
+    const Vec3 inward = feature.slots.back() - feature.slots.front();
+    const double along = lattice::dot(collar.from - feature.center, inward);
+    (along < 0.0 ? places.front() : places.back()) = AxlePlace::kStop;
+  }
+  return places;
+}
+
+//! Whether what lies at a place can slide neither way: only parts side by side up to a stop.
+bool isHeld(const std::vector<AxlePlace>& places, std::size_t at) {
+  std::size_t low = at;
+  std::size_t high = at;
+  while (low > 0 && places[low] == AxlePlace::kSliding) {
+    --low;
+  }
+  while (high + 1 < places.size() && places[high] == AxlePlace::kSliding) {
+    ++high;
+  }
+  return places[low] == AxlePlace::kStop && places[high] == AxlePlace::kStop;
+}
+
+//! Turns kSlide into kTurn where stops hold what is on an axle.
+void holdBetweenStops(const Model& model,
+                      const parts::Catalogue& catalogue,
+                      std::vector<Connection>& connections) {
+  std::map<std::pair<int, int>, std::vector<Connection*>> byHead;
+  for (Connection& c : connections) {
+    const parts::Part& part = *catalogue.find(model.parts[static_cast<std::size_t>(c.male)].part);
+    const parts::Feature& feature = part.features[static_cast<std::size_t>(c.maleFeature)];
+    if (feature.kind == FeatureKind::kAxle && feature.slots.size() > 1) {
+      byHead[{c.male, c.maleFeature}].push_back(&c);
+    }
+  }
+  for (const auto& [head, list] : byHead) {
+    const parts::Part& part =
+        *catalogue.find(model.parts[static_cast<std::size_t>(head.first)].part);
+    const std::vector<AxlePlace> places =
+        placesOn(part,
+                 part.features[static_cast<std::size_t>(head.second)],
+                 std::vector<const Connection*>(list.begin(), list.end()));
+    for (Connection* c : list) {
+      if (c->fit == Fit::kSlide && isHeld(places, static_cast<std::size_t>(c->maleSlot) + 1)) {
+        c->fit = Fit::kTurn;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Connection> findConnections(const Model& model, const parts::Catalogue& catalogue) {
@@ -158,6 +220,7 @@ std::vector<Connection> findConnections(const Model& model, const parts::Catalog
   for (const Slot& male : males) {
     addConnections(male, females, found);
   }
+  holdBetweenStops(model, catalogue, found);
   const auto key = [](const Connection& c) {
     return std::tie(c.male, c.maleFeature, c.maleSlot, c.female, c.femaleFeature, c.femaleSlot);
   };

@@ -21,7 +21,7 @@ struct PlacedPart {
 
 //! \brief How a male and a female slot that share their place go together.
 enum class Fit {
-  kTurn,       //!< pin in pin hole: held, turns
+  kTurn,       //!< pin in pin hole, or axle between stops: held, turns
   kSlide,      //!< axle in pin hole: turns and slides, holds nothing along its axis
   kRigid,      //!< axle in axle hole
   kTwisted,    //!< axle in axle hole with its cross turned: does not go in

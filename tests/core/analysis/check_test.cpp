@@ -171,6 +171,14 @@ const std::vector<BadCase>& badCases() {
        "connections ",
        "unconnected",
        [] {
+         return changed(squareFrame(), [](Model& m) {
+           m.parts.push_back({"2780", 0, {{4, 4, 5}, {}}});
+         });
+       }},
+      {"BeamThatTouchesNothing",
+       "assembly ",
+       "separate",
+       [] {
          return withExtra({beamAt("32316", {4, 4, 5}, kX, kZ)});
        }},
       {"BeamOnAnAxleAlone",

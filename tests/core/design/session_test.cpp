@@ -128,7 +128,7 @@ TEST(DesignSession, SolvesEachPieceOfASketch) {
   EXPECT_TRUE(report["buildable"].get<bool>()) << report["problems"];
 }
 
-TEST(DesignSession, DISABLED_SolvesPiecesOfOneBeamEach) {
+TEST(DesignSession, SolvesPiecesOfOneBeamEach) {
   const json report =
       json::parse(finished(testing::sketchFrom({{{0, 0, 0}, {6, 0, 0}}, {{0, 40, 0}, {8, 40, 0}}}))
                       ->reportJson());
