@@ -54,7 +54,7 @@ class Session final : public DesignSession {
   [[nodiscard]] std::string modelJson() const override { return model::writeModel(model()); }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport({problem_, settings_, annealer_, sketch_, model()});
+    return makeReport({problem_, settings_, table_, annealer_, sketch_, model()});
   }
 
  private:

@@ -6,6 +6,7 @@
 #include "base/rng.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
+#include "search/layout_search.h"
 #include "search/run_coverer.h"
 
 namespace liftarm::search {
@@ -23,19 +24,11 @@ struct AnnealingOptions {
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };
 
-//! \brief A whole layout as it can be kept and put back.
-struct LayoutSnapshot {
-  std::vector<layout::Cover> covers;
-  std::vector<layout::JunctionState> junctions;
-  layout::Tallies tallies;
-  double energy = 0.0;
-};
-
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
 //! anew and exactly (RunCoverer), and joins what it touched anew (ConnectionSolver). \details Where
 //! violations stay, their places gain weight until the search leaves them (as breakout local search
 //! does); the best layout is kept by (violations, energy). Stepped and deterministic.
-class Annealer {
+class Annealer final : public LayoutSearch {
  public:
   //! \pre problem and solver outlive the annealer.
   Annealer(const layout::LayoutProblem& problem,
@@ -43,22 +36,22 @@ class Annealer {
            AnnealingOptions options);
 
   //! \brief At most `iterations` moves. \return True when the search has ended.
-  bool advance(std::uint32_t iterations);
+  bool advance(std::uint32_t iterations) override;
 
-  [[nodiscard]] bool done() const { return done_; }
+  [[nodiscard]] bool done() const override { return done_; }
 
-  [[nodiscard]] const LayoutSnapshot& best() const { return best_; }
+  [[nodiscard]] const LayoutSnapshot& best() const override { return best_; }
 
-  [[nodiscard]] std::uint32_t improvements() const { return improvements_; }
+  [[nodiscard]] std::uint32_t improvements() const override { return improvements_; }
 
-  [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
+  [[nodiscard]] std::uint64_t iterations() const override { return iteration_; }
 
-  [[nodiscard]] double temperature() const { return temperature_; }
+  [[nodiscard]] double temperature() const override { return temperature_; }
 
-  [[nodiscard]] double fraction() const;
+  [[nodiscard]] double fraction() const override;
 
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
-  [[nodiscard]] const char* phase() const;
+  [[nodiscard]] const char* phase() const override;
 
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 
