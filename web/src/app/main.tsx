@@ -10,6 +10,7 @@ import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/stor
 import { SketchStore } from '../state/store.ts';
 import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
+import { language } from '../ui/text/language.ts';
 import { text } from '../ui/text.ts';
 import '../../styles/tokens.css';
 import '../../styles/base.css';
@@ -22,6 +23,7 @@ import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
+import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
 import { isOwnAddress, PageController } from './page-controller.ts';
 import type { SceneBridge } from './scene-bridge.ts';
@@ -142,6 +144,7 @@ async function start(): Promise<void> {
   const controller = new PageController({ store, preferences, catalogue, client });
   const { state, toaster } = controller;
   followTheme(state);
+  document.documentElement.lang = language;
   const page = pageOf(controller);
   const root = document.getElementById('app');
   if (!root) {
@@ -168,6 +171,7 @@ async function start(): Promise<void> {
     store.history.value;
     saver.save(store.save());
   });
+  followLanguage(preferences, () => saver.flushed());
   solveAfterEdits(state, {
     generate: controller.generate,
     drop: () => controller.run.drop(),

@@ -1,7 +1,11 @@
 import { effect, type Signal, signal } from '@preact/signals';
 
+/** What the interface can be shown in. */
+export type Language = 'en' | 'de';
+
 /** What a person sets and the next visit keeps; none of it is part of a sketch. */
 export interface Preferences {
+  readonly language: 'auto' | Language;
   readonly theme: 'auto' | 'light' | 'dark';
   readonly autoSolve: boolean;
   readonly preset: string;
@@ -14,6 +18,7 @@ export interface Preferences {
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
+  language: 'auto',
   theme: 'auto',
   autoSolve: true,
   preset: 'simple',
@@ -26,6 +31,7 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
 
 /** One test a field: what may come back from storage. */
 const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean } = {
+  language: oneOf('auto', 'en', 'de'),
   theme: oneOf('auto', 'light', 'dark'),
   autoSolve: (value) => typeof value === 'boolean',
   preset: (value) => typeof value === 'string' && value.length < 60,
@@ -39,7 +45,7 @@ const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean 
 /** The part of the browser's storage that is used here. */
 export type TextStorage = Pick<Storage, 'getItem' | 'setItem'>;
 
-const KEY = 'liftarm/preferences';
+export const PREFERENCES_KEY = 'liftarm/preferences';
 
 /** Every stored field that is acceptable, the default for the rest. */
 export function readPreferences(text: string | null): Preferences {
@@ -60,11 +66,11 @@ export function readPreferences(text: string | null): Preferences {
 
 /** The preferences as a signal that writes itself back. A storage that refuses is not an error. */
 export function keptPreferences(storage: TextStorage | null): Signal<Preferences> {
-  const preferences = signal(readPreferences(storage?.getItem(KEY) ?? null));
+  const preferences = signal(readPreferences(storage?.getItem(PREFERENCES_KEY) ?? null));
   effect(() => {
     const text = JSON.stringify(preferences.value);
     try {
-      storage?.setItem(KEY, text);
+      storage?.setItem(PREFERENCES_KEY, text);
     } catch {
       // Full or forbidden: the page works on, it only forgets.
     }

@@ -86,7 +86,7 @@ function Checks({ result }: { readonly result: ResultState }) {
 
 function Parts({ result }: { readonly result: ResultState }) {
   return (
-    <Section title={text.result.parts} note={plural(result.bricks, 'brick', 'bricks')} open={true}>
+    <Section title={text.result.parts} note={plural(result.bricks, 'brick')} open={true}>
       <table class="parts">
         <thead class="visually-hidden">
           <tr>

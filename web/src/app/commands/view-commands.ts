@@ -35,6 +35,12 @@ const THEMES: readonly (readonly [string, Preferences['theme'], string])[] = [
   ['themeDark', 'dark', text.commands.themeDark],
 ];
 
+const LANGUAGES: readonly (readonly [string, Preferences['language'], string])[] = [
+  ['languageAuto', 'auto', text.commands.languageAuto],
+  ['languageEn', 'en', text.commands.languageEn],
+  ['languageDe', 'de', text.commands.languageDe],
+];
+
 const DIALOGS: readonly (readonly [
   NonNullable<DialogName>,
   IconName,
@@ -53,6 +59,7 @@ export function viewCommands(actions: Actions): Command[] {
     ...choices(actions, 'show', 'palette', SHOWS),
     ...choices(actions, 'colourBy', 'palette', COLOURS),
     ...choices(actions, 'theme', 'theme', THEMES),
+    ...choices(actions, 'language', 'language', LANGUAGES),
     ...DIALOGS.map(
       ([id, icon, label, shortcut]): Command => ({
         id,
@@ -106,7 +113,7 @@ function cameraCommands(actions: Actions): Command[] {
 }
 
 /** One command for each value that a preference can have. */
-function choices<K extends 'show' | 'colourBy' | 'theme'>(
+function choices<K extends 'show' | 'colourBy' | 'theme' | 'language'>(
   { state: { preferences } }: Actions,
   key: K,
   icon: IconName,
