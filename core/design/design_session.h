@@ -44,7 +44,8 @@ class DesignSession {
 //! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], ...}.
 base::Result<std::string> checkModelJson(std::string_view modelJson);
 
-//! \brief A model in another format. \param format "mpd" or "parts.csv".
+//! \brief A model in another format. \param format "mpd", "parts.csv" (Rebrickable), "wanted.xml"
+//! (BrickLink) or "spreadsheet.csv".
 base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format);
 
 }  // namespace liftarm::design

@@ -1,6 +1,8 @@
 #include "design/design_session.h"
 #include "exporters/ldraw.h"
 #include "exporters/parts_list.h"
+#include "exporters/spreadsheet.h"
+#include "exporters/wanted_list.h"
 #include "model/model_json.h"
 
 namespace liftarm::design {
@@ -16,8 +18,15 @@ base::Result<std::string> exportModel(std::string_view modelJson, std::string_vi
   if (format == "parts.csv") {
     return exporters::writePartsCsv(model.value());
   }
+  if (format == "wanted.xml") {
+    return exporters::writeWantedList(model.value());
+  }
+  if (format == "spreadsheet.csv") {
+    return exporters::writeSpreadsheet(model.value(), parts::Catalogue::builtIn());
+  }
   return base::Error{base::Status::kInvalidInput,
-                     "format: \"" + std::string(format) + "\" is not known; use mpd or parts.csv"};
+                     "format: \"" + std::string(format) +
+                         "\" is not known; use mpd, parts.csv, wanted.xml or spreadsheet.csv"};
 }
 
 }  // namespace liftarm::design
