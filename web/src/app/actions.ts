@@ -27,4 +27,6 @@ export interface Actions {
   fit(): void;
   setView(view: StandardView): void;
   announce(message: string): void;
+  /** @param id null goes back to the drawing. */
+  openRoom(id: string | null): void;
 }

@@ -18,6 +18,7 @@ import '../../styles/layout.css';
 import '../../styles/controls.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';
+import '../../styles/rooms.css';
 import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
@@ -26,6 +27,7 @@ import { loadExamples } from './example-list.ts';
 import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
 import { isOwnAddress, PageController } from './page-controller.ts';
+import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { followTheme } from './theme.ts';
 
@@ -63,6 +65,9 @@ function pageOf(controller: PageController): Page {
     webglMissing: scene.webglMissing,
     mac: /mac/i.test(navigator.platform),
     mountScene: (host) => scene.mount(host),
+    view: () => scene.view,
+    openRoom: controller.openRoom,
+    announce: controller.announce,
     useTool: controller.useTool,
     openExample: controller.openExample,
     openFile: controller.openFile,
@@ -152,13 +157,14 @@ async function start(): Promise<void> {
   }
   root.replaceChildren();
   render(<Root page={page} />, root);
+  followRoom(state.room);
   listenToDrops(state.dropping, controller.openFile);
   listenToKeys(
     {
       commands: page.commands,
       mac: page.mac,
       tool: () => state.tool.value,
-      covered: () => state.dialog.value !== null,
+      covered: () => state.dialog.value !== null || state.room.value !== null,
       atRest: () => controller.useTool('select'),
     },
     new AbortController().signal,

@@ -12,6 +12,7 @@ import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import type { Example } from '../ui/page.ts';
+import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { Actions } from './actions.ts';
@@ -116,6 +117,11 @@ export class PageController implements Actions {
     this.state.tool.value.reset();
     const label = this.state.store.redo();
     this.announce(`${text.commands.redo}: ${label ?? ''}`);
+  };
+
+  readonly openRoom = (id: string | null): void => {
+    this.state.tool.value.reset();
+    this.state.room.value = findRoom(id)?.id ?? null;
   };
 
   readonly announce = (message: string): void => {

@@ -7,8 +7,16 @@ import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PlaneMode, Tool } from '../tools/tool.ts';
-import type { DialogName, Example, PartRow, ResultState, SolveState } from '../ui/page.ts';
-import type { ShownModel } from './solve-run.ts';
+import type {
+  DialogName,
+  Example,
+  PartRow,
+  PointerTaker,
+  ResultState,
+  ShownModel,
+  SolveState,
+} from '../ui/page.ts';
+import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 
 /** Up to this size a sketch is solved after each edit: a second or two on a slow machine. */
 const SMALL = { lines: 80, length: 500 } as const;
@@ -31,7 +39,13 @@ export class PageState {
   readonly shown: ReadonlySignal<ShownModel | null>;
   readonly tool: Signal<Tool>;
   readonly planeMode: Signal<PlaneMode>;
+  readonly catalogue: Catalogue;
   readonly explode = signal(0);
+  readonly display = signal<PartDisplay | null>(null);
+  readonly isolation = signal<Isolation | null>(null);
+  readonly section = signal<Section | null>(null);
+  readonly pointerTaker = signal<PointerTaker | null>(null);
+  readonly room = signal<string | null>(null);
   readonly dialog = signal<DialogName>(null);
   readonly examples = signal<readonly Example[] | null>(null);
   readonly announcement = signal('');
@@ -55,6 +69,7 @@ export class PageState {
   constructor(options: PageStateOptions) {
     const { store, preferences, catalogue, solve, shown } = options;
     this.store = store;
+    this.catalogue = catalogue;
     this.preferences = preferences;
     this.solve = solve;
     this.shown = shown;
@@ -88,6 +103,13 @@ export class PageState {
       const problem = focused === null ? null : this.result.value?.problems[focused];
       return { hovered: this.hoveredPartIndex.value, errors: new Set(problem?.parts ?? []) };
     });
+  }
+  /** Part indices mean nothing for another model. */
+  forgetParts(): void {
+    this.display.value = null;
+    this.isolation.value = null;
+    this.focusedProblem.value = null;
+    this.hoveredPartIndex.value = null;
   }
 }
 

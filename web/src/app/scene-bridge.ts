@@ -1,7 +1,9 @@
 import { effect, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
+import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
 import type { OverlayLabel, PointerInput, ToolView } from '../tools/tool.ts';
+import type { PointerTaker } from '../ui/page.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
@@ -24,6 +26,9 @@ export class SceneBridge implements PointerTarget {
   #labelShown: OverlayLabel | null = null;
   #coarse = false;
   #nextInterim = 0;
+  #lastModel: Model | null = null;
+  /** Who has taken the press that is under way. */
+  #taker: PointerTaker | null = null;
 
   /** What the tools see of the scene; harmless before there is one. */
   readonly toolView: ToolView = {
@@ -88,6 +93,12 @@ export class SceneBridge implements PointerTarget {
 
   pressed(at: PointerInput): void {
     this.#coarse = at.kind === 'touch';
+    this.#taker = this.#state.pointerTaker.value;
+    if (this.#taker?.pressed(at)) {
+      this.#setNavigation('tool');
+      return;
+    }
+    this.#taker = null;
     const navigation = this.#state.tool.value.navigation(at);
     this.#setNavigation(navigation);
     this.#view?.setTurntable('off');
@@ -96,6 +107,10 @@ export class SceneBridge implements PointerTarget {
 
   moved(at: PointerInput): void {
     this.#coarse = at.kind === 'touch';
+    if (this.#taker) {
+      this.#taker.moved(at);
+      return;
+    }
     const tool = this.#state.tool.value;
     tool.pointerMove(at);
     const part = tool.id === 'select' ? this.toolView.pickAt(at).part : null;
@@ -104,6 +119,11 @@ export class SceneBridge implements PointerTarget {
   }
 
   released(at: PointerInput): void {
+    if (this.#taker) {
+      this.#taker.released(at);
+      this.#taker = null;
+      return;
+    }
     this.#state.tool.value.pointerUp(at);
   }
 
@@ -114,6 +134,8 @@ export class SceneBridge implements PointerTarget {
 
   /** Two fingers or another button: the camera's, so what the first finger began is dropped. */
   abandoned(): void {
+    this.#taker?.released(null);
+    this.#taker = null;
     this.#state.tool.value.pointerLeave();
   }
 
@@ -133,6 +155,9 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#view?.colourBy(state.preferences.value.colourBy)),
       effect(() => this.#view?.setProjection(state.preferences.value.projection)),
       effect(() => this.#view?.explode(state.explode.value)),
+      effect(() => this.#view?.isolate(state.isolation.value)),
+      effect(() => this.#view?.setSection(state.section.value)),
+      effect(() => this.#view?.display(state.display.value)),
       effect(() => this.#view?.markParts(state.partMarks.value)),
       effect(() => this.#showOverlay(host)),
     ];
@@ -156,6 +181,10 @@ export class SceneBridge implements PointerTarget {
   #showModel(): void {
     const shown = this.#state.shown.value;
     const dimmed = this.#state.stale.value;
+    if (shown?.model !== this.#lastModel) {
+      this.#lastModel = shown?.model ?? null;
+      this.#state.forgetParts();
+    }
     const interim = shown !== null && shown.report === null;
     const now = performance.now();
     // A slow machine must not spend its time on pictures of layouts that are about to be improved.

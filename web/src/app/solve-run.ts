@@ -1,25 +1,12 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
-import type { Model } from '../model/model.ts';
 import type { CheckReport, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { SolveResult, SolverClient } from '../solver/client.ts';
 import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
-import type { SolveState } from '../ui/page.ts';
+import type { ShownModel, SolveState } from '../ui/page.ts';
 import { text } from '../ui/text.ts';
 import { readModel } from './read-model.ts';
-
-/** A model on screen, and what is known of it. */
-export interface ShownModel {
-  readonly source: 'search' | 'file';
-  readonly json: string;
-  readonly model: Model;
-  /** The sketch it was made for; null for a model from a file that names none. */
-  readonly sketch: SketchDocument | null;
-  /** Null while the search is under way. */
-  readonly report: Report | null;
-  readonly check: CheckReport | null;
-}
 
 const MAX_CHART_POINTS = 400;
 const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], message: '' };

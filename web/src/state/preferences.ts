@@ -13,7 +13,7 @@ export interface Preferences {
   /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
   readonly advanced: string;
   readonly show: 'sketch' | 'both' | 'model';
-  readonly colourBy: 'part' | 'layer' | 'component' | 'piece';
+  readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
 }
 
@@ -38,7 +38,7 @@ const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean 
   seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
   advanced: (value) => typeof value === 'string' && value.length < 4000,
   show: oneOf('sketch', 'both', 'model'),
-  colourBy: oneOf('part', 'layer', 'component', 'piece'),
+  colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
 };
 

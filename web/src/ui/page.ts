@@ -1,11 +1,15 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
-import type { CheckItem, Problem, Report } from '../model/report.ts';
+import type { Model } from '../model/model.ts';
+import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { Preferences } from '../state/preferences.ts';
 import type { SketchStore } from '../state/store.ts';
-import type { Tool, ToolId } from '../tools/tool.ts';
+import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
+import type { SceneView } from '../view/scene-view.ts';
+import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 import type { CommandTable } from './command.ts';
 
 /** How the last search ended, or that one is under way. */
@@ -48,6 +52,28 @@ export interface ResultState {
   readonly final: boolean;
 }
 
+/** A model on screen, and what is known of it. */
+export interface ShownModel {
+  readonly source: 'search' | 'file';
+  /** The model file, as it was computed or opened. */
+  readonly json: string;
+  readonly model: Model;
+  /** The sketch it was made for; null for a model from a file that names none. */
+  readonly sketch: SketchDocument | null;
+  /** Null while the search is under way. */
+  readonly report: Report | null;
+  readonly check: CheckReport | null;
+}
+
+/** Somebody who wants presses in the scene before the tools and the camera get them. */
+export interface PointerTaker {
+  /** @returns whether it takes this press, and with it the moves up to the release. */
+  pressed(at: PointerInput): boolean;
+  moved(at: PointerInput): void;
+  /** The press ended, or was broken off. */
+  released(at: PointerInput | null): void;
+}
+
 export interface Example {
   readonly file: string;
   readonly title: string;
@@ -75,7 +101,21 @@ export interface Page {
   readonly stale: ReadonlySignal<boolean>;
   /** The sketch is small enough to be solved after each edit. */
   readonly small: ReadonlySignal<boolean>;
+  readonly catalogue: Catalogue;
+  /** The model on screen; while a search is under way, its best layout so far. */
+  readonly shown: ReadonlySignal<ShownModel | null>;
   readonly explode: Signal<number>;
+  /**
+   * How parts are drawn in place of how the model has them: motion, steps, results of checks. Set it
+   * while yours is open and set null when it closes; another model clears it.
+   */
+  readonly display: Signal<PartDisplay | null>;
+  readonly isolation: Signal<Isolation | null>;
+  readonly section: Signal<Section | null>;
+  /** Set while something in the scene can be dragged, null otherwise. */
+  readonly pointerTaker: Signal<PointerTaker | null>;
+  /** The room that is open, null for the drawing; see ui/rooms/room-table.ts. */
+  readonly room: ReadonlySignal<string | null>;
   readonly examples: ReadonlySignal<readonly Example[] | null>;
   readonly dialog: Signal<DialogName>;
   readonly toasts: ReadonlySignal<readonly Toast[]>;
@@ -88,6 +128,12 @@ export interface Page {
   readonly mac: boolean;
   /** Gives the element that the scene is drawn into. @returns what to do when it goes away. */
   mountScene(host: HTMLElement): () => void;
+  /** The scene: overlays, pictures, places on screen. Null before it is there, or without WebGL. */
+  view(): SceneView | null;
+  /** @param id null goes back to the drawing. */
+  openRoom(id: string | null): void;
+  /** Says a sentence to screen readers. */
+  announce(message: string): void;
   useTool(id: ToolId): void;
   openExample(example: Example): void;
   openFile(file: File): void;

@@ -1,3 +1,4 @@
+import { ChecksSection } from './checks/checks-section.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import type { PartRow, ResultState } from './page.ts';
@@ -29,7 +30,7 @@ export function Panel() {
         <SolveSection />
         <ResultSection />
         {shown?.final ? <Downloads /> : null}
-        {shown?.final ? <Checks result={shown} /> : null}
+        {shown?.final ? <ChecksSection result={shown} /> : null}
         {shown?.final ? <Parts result={shown} /> : null}
         <SearchChart />
         <SettingsSection />
@@ -59,28 +60,6 @@ function Downloads() {
       <CommandButton id="saveParts" words={text.result.csv} class="secondary" />
       <CommandButton id="savePicture" words={text.result.picture} class="secondary" />
     </section>
-  );
-}
-
-function Checks({ result }: { readonly result: ResultState }) {
-  if (result.items.length === 0) {
-    return null;
-  }
-  const good = result.items.filter((item) => item.ok).length;
-  return (
-    <Section title={text.result.checks} note={`${good} / ${result.items.length}`}>
-      <ul class="checks">
-        {result.items.map((item) => (
-          <li key={item.id} class={item.ok ? 'ok' : 'bad'}>
-            <Icon name={item.ok ? 'check' : 'alert'} />
-            <div>
-              {item.title}
-              {item.detail ? <p class="quiet">{item.detail}</p> : null}
-            </div>
-          </li>
-        ))}
-      </ul>
-    </Section>
   );
 }
 

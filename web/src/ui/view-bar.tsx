@@ -12,6 +12,7 @@ const SHOW: readonly { value: Preferences['show']; label: string }[] = [
 const COLOURS: readonly { value: Preferences['colourBy']; label: string }[] = [
   { value: 'part', label: text.view.byPart },
   { value: 'layer', label: text.view.byLayer },
+  { value: 'axis', label: text.view.byAxis },
   { value: 'component', label: text.view.byComponent },
   { value: 'piece', label: text.view.byPiece },
 ];

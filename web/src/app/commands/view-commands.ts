@@ -25,6 +25,7 @@ const SHOWS: readonly (readonly [string, Preferences['show'], string])[] = [
 const COLOURS: readonly (readonly [string, Preferences['colourBy'], string])[] = [
   ['colourPart', 'part', text.commands.colourPart],
   ['colourLayer', 'layer', text.commands.colourLayer],
+  ['colourAxis', 'axis', text.commands.colourAxis],
   ['colourComponent', 'component', text.commands.colourComponent],
   ['colourPiece', 'piece', text.commands.colourPiece],
 ];
@@ -59,6 +60,7 @@ export function viewCommands(actions: Actions): Command[] {
     ...choices(actions, 'show', 'palette', SHOWS),
     ...choices(actions, 'colourBy', 'palette', COLOURS),
     ...choices(actions, 'theme', 'theme', THEMES),
+    themeNext(actions),
     ...choices(actions, 'language', 'language', LANGUAGES),
     ...DIALOGS.map(
       ([id, icon, label, shortcut]): Command => ({
@@ -110,6 +112,20 @@ function cameraCommands(actions: Actions): Command[] {
       },
     },
   ];
+}
+
+/** From light to dark and back. */
+function themeNext({ state }: Actions): Command {
+  return {
+    id: 'themeNext',
+    label: text.commands.themeNext,
+    group: 'view',
+    icon: 'theme',
+    run: () => {
+      const theme = state.themeName.value === 'dark' ? 'light' : 'dark';
+      state.preferences.value = { ...state.preferences.value, theme };
+    },
+  };
 }
 
 /** One command for each value that a preference can have. */

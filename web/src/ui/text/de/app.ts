@@ -21,6 +21,11 @@ export const APP_DE: Words<typeof APP_EN> = {
     noWebgl:
       'Dieser Browser kann nicht räumlich zeichnen (WebGL fehlt oder ist aus). Skizze und Ergebnis funktionieren trotzdem.',
   },
+  rooms: {
+    back: 'Zurück zur Zeichnung',
+    failed:
+      'Diese Seite ließ sich nicht laden. Prüfen Sie die Verbindung und versuchen Sie es noch einmal.',
+  },
   counts: {
     line: ['Linie', 'Linien'],
     brick: ['Teil', 'Teile'],

@@ -12,6 +12,7 @@ export const VIEW_DE: Words<typeof VIEW_EN> = {
     colour: 'Farbe',
     byPart: 'Teil',
     byLayer: 'Lage',
+    byAxis: 'Lochachse',
     byComponent: 'Lochebene',
     byPiece: 'Stück',
     views: 'Feste Ansichten',

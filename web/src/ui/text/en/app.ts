@@ -20,6 +20,10 @@ export const APP_EN = {
     noWebgl:
       'This browser cannot draw in 3D (WebGL is off or missing). The sketch and the result below still work.',
   },
+  rooms: {
+    back: 'Back to the drawing',
+    failed: 'This page could not be loaded. Check the connection and try again.',
+  },
   counts: {
     line: ['line', 'lines'],
     brick: ['brick', 'bricks'],

@@ -11,6 +11,7 @@ export const VIEW_EN = {
     colour: 'Colour',
     byPart: 'Part',
     byLayer: 'Layer',
+    byAxis: 'Hole axis',
     byComponent: 'Plane of holes',
     byPiece: 'Piece',
     views: 'Standard views',
