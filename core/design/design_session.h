@@ -44,6 +44,15 @@ class DesignSession {
 //! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], ...}.
 base::Result<std::string> checkModelJson(std::string_view modelJson);
 
+//! \brief How a model is put together (DESIGN 5.6 reversed), as JSON: {"assemblable": bool,
+//! "groups": [{"id", "parts": all part indices in it, "copies": [[indices of each further copy, in
+//! the same order]], "mirrored": [bool per copy]}], "steps": [{"group", "adds": [{"parts", "travel",
+//! "subgroup": group or null, "via"?, "forced"?}], "stable": bool}], "stuck": [{"parts", "by",
+//! "message"}]}. Group 0 is the whole. `travel` (modules) is the last straight move, which ends in
+//! the place; the moves of `via` come before it, so a part starts at its place - travel - all of
+//! via. `forced`: something is in the way, as `stuck` tells.
+base::Result<std::string> planAssemblyJson(std::string_view modelJson);
+
 //! \brief A model in another format. \param format "mpd", "parts.csv" (Rebrickable), "wanted.xml"
 //! (BrickLink) or "spreadsheet.csv".
 base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format);

@@ -52,6 +52,7 @@ function countingModule(steps: number) {
     SolverSession: Session,
     checkModelJson: (text) =>
       text === 'bad' ? { status: 'invalidInput', text: 'no model' } : { status: 'ok', text },
+    planAssemblyJson: (text) => ({ status: 'ok', text }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',
   };
