@@ -3,6 +3,16 @@ import type { ToolId } from '../tools/tool.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
 
+/** Opening, saving and sharing. */
+export interface FileActions {
+  chooseFile(): void;
+  saveSketch(): void;
+  saveModel(): void;
+  exportModel(format: 'mpd' | 'parts.csv'): void;
+  savePicture(): void;
+  share(): void;
+}
+
 /** What the commands are made of. The page does it; tests record it. */
 export interface Actions {
   readonly state: PageState;
@@ -16,12 +26,7 @@ export interface Actions {
   undo(): void;
   redo(): void;
   newSketch(): void;
-  chooseFile(): void;
-  saveSketch(): void;
-  saveModel(): void;
-  exportModel(format: 'mpd' | 'parts.csv'): void;
-  savePicture(): void;
-  share(): void;
+  readonly files: FileActions;
   generate(): void;
   cancel(): void;
   fit(): void;

@@ -4,10 +4,11 @@ import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
 import { decodeShare } from '../share/codec.ts';
 import { createSolverClient } from '../solver/client.ts';
-import { Autosaver, loadSaved } from '../state/autosave.ts';
+import { SketchLibrary } from '../state/library.ts';
 import { keptPreferences, type TextStorage } from '../state/preferences.ts';
 import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/storage.ts';
-import { SketchStore } from '../state/store.ts';
+import { type SavedSketch, SketchStore } from '../state/store.ts';
+import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
@@ -26,7 +27,8 @@ import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
 import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
-import { isOwnAddress, PageController } from './page-controller.ts';
+import { PageController } from './page-controller.ts';
+import { isOwnAddress } from './page-files.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { followTheme } from './theme.ts';
@@ -34,9 +36,9 @@ import { followTheme } from './theme.ts';
 const ADDRESS_PAUSE_MS = 600;
 const TURN_MS = 12_000;
 
-function localTextStorage(): TextStorage | null {
+function textStorage(kind: 'localStorage' | 'sessionStorage'): TextStorage | null {
   try {
-    return window.localStorage;
+    return window[kind];
   } catch {
     return null;
   }
@@ -68,9 +70,17 @@ function pageOf(controller: PageController): Page {
     view: () => scene.view,
     openRoom: controller.openRoom,
     announce: controller.announce,
+    sketches: {
+      list: () => controller.shelf.list(),
+      openId: () => controller.shelf.openId,
+      open: controller.openKept,
+      duplicate: (id) =>
+        controller.shelf.duplicate(id, (name) => fillWords(text.sketches.copyName, { name })),
+      remove: (id) => controller.shelf.remove(id),
+    },
     useTool: controller.useTool,
     openExample: controller.openExample,
-    openFile: controller.openFile,
+    openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
     rename: controller.rename,
     dismissToast: (id) => toaster.dismiss(id),
@@ -120,9 +130,8 @@ async function openLink(
 }
 
 /** What to begin with: a link, else the last visit's sketch, else the first example. */
-async function openFirst(controller: PageController, kept: KeyValueStore): Promise<void> {
+async function openFirst(controller: PageController, saved: SavedSketch | null): Promise<void> {
   const { state, scene } = controller;
-  const saved = await loadSaved(kept).catch(() => null);
   if (saved) {
     controller.begin(saved);
   }
@@ -133,16 +142,15 @@ async function openFirst(controller: PageController, kept: KeyValueStore): Promi
   const first = state.examples.value[0];
   if (!saved && first) {
     turnUntilTouched(scene);
-    controller.begin({
-      sketch: { ...first.sketch, name: first.title },
-      history: { past: [], future: [] },
-    });
+    const sketch = { ...first.sketch, name: first.title };
+    controller.shelf.leave(sketch);
+    controller.begin({ sketch, history: { past: [], future: [] } });
   }
 }
 
 async function start(): Promise<void> {
   const store = new SketchStore();
-  const preferences = keptPreferences(localTextStorage());
+  const preferences = keptPreferences(textStorage('localStorage'));
   const client = createSolverClient();
   client.warmUp();
   const catalogue = readCatalogue(catalogueFile);
@@ -158,7 +166,7 @@ async function start(): Promise<void> {
   root.replaceChildren();
   render(<Root page={page} />, root);
   followRoom(state.room);
-  listenToDrops(state.dropping, controller.openFile);
+  listenToDrops(state.dropping, controller.files.openFile);
   listenToKeys(
     {
       commands: page.commands,
@@ -169,15 +177,16 @@ async function start(): Promise<void> {
     },
     new AbortController().signal,
   );
-  const kept = await openStore(() => toaster.info(text.files.storeNone));
-  await openFirst(controller, kept);
-  const saver = new Autosaver(kept, () => toaster.error(text.files.storeFull));
-  effect(() => {
-    // The history changes with every captured edit and with nothing else.
-    store.history.value;
-    saver.save(store.save());
+  const { shelf } = controller;
+  const library = new SketchLibrary({
+    store: await openStore(() => toaster.info(text.files.storeNone)),
+    tab: textStorage('sessionStorage'),
+    newId: () => crypto.randomUUID(),
+    onFailure: () => toaster.error(text.files.storeFull),
   });
-  followLanguage(preferences, () => saver.flushed());
+  await openFirst(controller, await shelf.begin(library));
+  shelf.keepEdits();
+  followLanguage(preferences, () => shelf.kept());
   solveAfterEdits(state, {
     generate: controller.generate,
     drop: () => controller.run.drop(),
@@ -205,7 +214,7 @@ function keepAddress(controller: PageController): void {
     shared.value;
     clearTimeout(timer);
     timer = setTimeout(() => {
-      controller.updateAddress().catch(() => undefined);
+      controller.files.updateAddress().catch(() => undefined);
     }, ADDRESS_PAUSE_MS);
   });
 }

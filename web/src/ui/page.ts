@@ -5,6 +5,7 @@ import type { Model } from '../model/model.ts';
 import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
+import type { LibraryEntry } from '../state/library.ts';
 import type { Preferences } from '../state/preferences.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
@@ -87,7 +88,16 @@ export interface Toast {
   readonly message: string;
 }
 
-export type DialogName = 'palette' | 'help' | 'examples' | 'about' | null;
+export type DialogName = 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
+
+/** The sketches that this browser keeps. */
+export interface SketchLibraryPage {
+  list(): Promise<readonly LibraryEntry[]>;
+  openId(): string;
+  open(id: string): void;
+  duplicate(id: string): Promise<void>;
+  remove(id: string): Promise<void>;
+}
 
 /** Everything that the panels read, and the few things they do that are no commands. */
 export interface Page {
@@ -132,6 +142,7 @@ export interface Page {
   view(): SceneView | null;
   /** @param id null goes back to the drawing. */
   openRoom(id: string | null): void;
+  readonly sketches: SketchLibraryPage;
   /** Says a sentence to screen readers. */
   announce(message: string): void;
   useTool(id: ToolId): void;

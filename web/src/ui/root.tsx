@@ -7,6 +7,7 @@ import { Palette } from './palette.tsx';
 import { Panel } from './panel.tsx';
 import { RoomHost } from './rooms/room-host.tsx';
 import { findRoom } from './rooms/room-table.ts';
+import { Sketches } from './sketches.tsx';
 import { Stage } from './stage.tsx';
 import { text } from './text.ts';
 import { Toasts } from './toasts.tsx';
@@ -60,6 +61,8 @@ function Dialogs() {
       return <Help />;
     case 'examples':
       return <Examples />;
+    case 'sketches':
+      return <Sketches />;
     case 'about':
       return <About />;
     case null:

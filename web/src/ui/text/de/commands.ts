@@ -5,6 +5,7 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
   commands: {
     new: 'Neue Skizze',
     open: 'Datei öffnen …',
+    sketches: 'Meine Skizzen …',
     examples: 'Beispiele …',
     saveSketch: 'Skizze herunterladen (JSON)',
     saveModel: 'Modell herunterladen (JSON)',

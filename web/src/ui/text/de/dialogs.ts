@@ -8,6 +8,18 @@ export const DIALOGS_DE: Words<typeof DIALOGS_EN> = {
     lines: '{n} Linien',
     missing: 'Die Beispiele ließen sich nicht laden.',
   },
+  sketches: {
+    title: 'Meine Skizzen',
+    text: 'In diesem Browser aufbewahrt. Nichts wird hochgeladen.',
+    create: 'Neue Skizze',
+    import: 'Datei öffnen …',
+    none: 'Noch ist nichts aufbewahrt: eine Linie genügt.',
+    duplicate: '{name} verdoppeln',
+    copyName: '{name} (Kopie)',
+    remove: '{name} löschen',
+    reallyRemove: '{name} endgültig löschen',
+    confirm: 'Löschen?',
+  },
   palette: {
     title: 'Alle Befehle',
     placeholder: 'Befehl suchen',

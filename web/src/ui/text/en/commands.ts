@@ -4,6 +4,7 @@ export const COMMANDS_EN = {
   commands: {
     new: 'New sketch',
     open: 'Open a file…',
+    sketches: 'My sketches…',
     examples: 'Examples…',
     saveSketch: 'Download the sketch (JSON)',
     saveModel: 'Download the model (JSON)',

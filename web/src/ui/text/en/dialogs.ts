@@ -7,6 +7,18 @@ export const DIALOGS_EN = {
     lines: '{n} lines',
     missing: 'The examples could not be loaded.',
   },
+  sketches: {
+    title: 'My sketches',
+    text: 'Kept in this browser. Nothing is uploaded.',
+    create: 'New sketch',
+    import: 'Open a file…',
+    none: 'Nothing is kept yet: draw a line and it is.',
+    duplicate: 'Duplicate {name}',
+    copyName: '{name} (copy)',
+    remove: 'Delete {name}',
+    reallyRemove: 'Delete {name} for good',
+    confirm: 'Delete?',
+  },
   palette: {
     title: 'All commands',
     placeholder: 'Search for a command',
