@@ -8,6 +8,9 @@
 namespace liftarm::design {
 
 base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format) {
+  if (format == "assembly.json") {
+    return planAssemblyJson(modelJson);
+  }
   const base::Result<model::Model> model = model::readModel(modelJson);
   if (!model.ok()) {
     return model.error();
@@ -24,9 +27,10 @@ base::Result<std::string> exportModel(std::string_view modelJson, std::string_vi
   if (format == "spreadsheet.csv") {
     return exporters::writeSpreadsheet(model.value(), parts::Catalogue::builtIn());
   }
-  return base::Error{base::Status::kInvalidInput,
-                     "format: \"" + std::string(format) +
-                         "\" is not known; use mpd, parts.csv, wanted.xml or spreadsheet.csv"};
+  return base::Error{
+      base::Status::kInvalidInput,
+      "format: \"" + std::string(format) +
+          "\" is not known; use mpd, parts.csv, wanted.xml, spreadsheet.csv or assembly.json"};
 }
 
 }  // namespace liftarm::design
