@@ -26,7 +26,7 @@ struct NumberKey {
   void (*apply)(Settings*, double);
 };
 
-constexpr std::array<NumberKey, 6> kNumberKeys{{
+constexpr std::array<NumberKey, 7> kNumberKeys{{
     {"effort",
      0.01,
      100.0,
@@ -62,6 +62,11 @@ constexpr std::array<NumberKey, 6> kNumberKeys{{
      3.0,
      true,
      [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
+    {"paper.coolingRate",
+     0.5,
+     0.999999,
+     false,
+     [](Settings* s, double v) { s->paper.coolingRate = v; }},
 }};
 
 Error invalid(const std::string& message) {
@@ -203,15 +208,18 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
                        " is none of faithful, simple, faithful-rigid, simple-rigid");
       }
       settings->preset = *preset;
-      settings->annealing.weights = objective::searchWeights(*preset);
     } else if (key == "method") {
-      if (textOf(value) != "default") {
-        return invalid("method: " + textOf(value) + " is unknown; use default");
+      if (textOf(value) != kDefaultMethod && textOf(value) != kPaperMethod) {
+        return invalid("method: " + textOf(value) + " is unknown; use default or paper");
       }
+      settings->method = textOf(value);
     } else if (key != "set") {
       return invalid("settings: no such key " + key + "; known are seed, preset, method, set");
     }
   }
+  settings->annealing.weights = settings->method == kPaperMethod
+                                    ? objective::paperWeights(settings->preset)
+                                    : objective::searchWeights(settings->preset);
   return true;
 }
 
@@ -260,6 +268,7 @@ std::string settingsJson(const Settings& settings) {
               {"mechanismParts", settings.mechanismParts},
               {"lengths", a.lengths},
               {"connectors", settings.connectors},
+              {"paper.coolingRate", settings.paper.coolingRate},
               {"weights", weights}}
       .dump();
 }

@@ -102,6 +102,14 @@ TEST(Settings, KeepAWeightThatIsSetBesideAPreset) {
   EXPECT_EQ(settings.value().annealing.weights[*objective::termIndex("beams")], 3.0);
 }
 
+TEST(Settings, OfThePaperTakeItsWeightsWhateverTheOrder) {
+  const base::Result<Settings> settings =
+      readSettings(R"({"preset": "faithful", "method": "paper"})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_EQ(settings.value().annealing.weights,
+            objective::paperWeights(objective::Preset::kFaithful));
+}
+
 TEST(Settings, SortTheLengths) {
   const base::Result<Settings> settings = readSettings(R"({"set": {"lengths": "15,3,5"}})");
   ASSERT_TRUE(settings.ok());
