@@ -68,6 +68,10 @@ SolverReply planAssemblyJson(const std::string& modelJson) {
   return toReply(liftarm::design::planAssemblyJson(modelJson));
 }
 
+SolverReply analyseStressJson(const std::string& modelJson, const std::string& optionsJson) {
+  return toReply(liftarm::design::analyseStressJson(modelJson, optionsJson));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -87,6 +91,7 @@ EMSCRIPTEN_BINDINGS(liftarm) {
       .function("reportJson", &SolverSession::reportJson);
   emscripten::function("checkModelJson", &checkModelJson);
   emscripten::function("planAssemblyJson", &planAssemblyJson);
+  emscripten::function("analyseStressJson", &analyseStressJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }
