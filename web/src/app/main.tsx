@@ -31,6 +31,7 @@ import { PageController } from './page-controller.ts';
 import { isOwnAddress } from './page-files.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
+import { watchSketch } from './sketch-watch.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;
@@ -82,6 +83,10 @@ function pageOf(controller: PageController): Page {
     openExample: controller.openExample,
     openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
+    showPlace: controller.showPlace,
+    mend: controller.mend,
+    confirmMirror: controller.confirmMirror,
+    dropSymmetry: controller.dropSymmetry,
     rename: controller.rename,
     dismissToast: (id) => toaster.dismiss(id),
     typeLength: controller.typeLength,
@@ -187,6 +192,7 @@ async function start(): Promise<void> {
   await openFirst(controller, await shelf.begin(library));
   shelf.keepEdits();
   followLanguage(preferences, () => shelf.kept());
+  watchSketch(state);
   solveAfterEdits(state, {
     generate: controller.generate,
     drop: () => controller.run.drop(),

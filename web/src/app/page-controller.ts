@@ -1,10 +1,14 @@
 import { effect, signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
+import type { Vec3 } from '../model/vec.ts';
 import type { SolverClient } from '../solver/client.ts';
 import type { SolveSettings } from '../solver/protocol.ts';
+import { addSymmetry, removeSymmetry } from '../state/edits.ts';
 import { type Preferences, parseAdvanced } from '../state/preferences.ts';
 import { readSketchValue } from '../state/read-sketch.ts';
+import { mendFault, type SketchFault } from '../state/sketch-faults.ts';
 import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
@@ -135,6 +139,22 @@ export class PageController implements Actions {
       this.edit(text.edits.rename, { ...sketch, name: name.trim() });
     }
   };
+
+  readonly mend = (fault: SketchFault): void => {
+    this.edit(text.faults.edit, mendFault(this.state.store.sketch.value, fault));
+  };
+
+  readonly confirmMirror = (plane: MirrorPlane): void => {
+    this.state.proposedMirror.value = null;
+    const symmetry = { kind: 'reflection', ...plane } as const;
+    this.edit(text.symmetry.edit, addSymmetry(this.state.store.sketch.value, symmetry));
+  };
+
+  readonly dropSymmetry = (index: number): void => {
+    this.edit(text.symmetry.edit, removeSymmetry(this.state.store.sketch.value, index));
+  };
+
+  readonly showPlace = (at: Vec3): void => this.scene.view?.centreOn(at);
 
   // --- Files ---------------------------------------------------------------------------------
 

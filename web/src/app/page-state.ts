@@ -1,10 +1,12 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { colourHex, colourName } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
+import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PlaneMode, Tool } from '../tools/tool.ts';
 import type {
@@ -49,6 +51,10 @@ export class PageState {
   readonly dialog = signal<DialogName>(null);
   readonly examples = signal<readonly Example[] | null>(null);
   readonly announcement = signal('');
+  /** Found in the sketch a moment after each edit; see sketch-watch.ts. */
+  readonly faults = signal<readonly SketchFault[]>([]);
+  readonly mirrors = signal<readonly MirrorPlane[]>([]);
+  readonly proposedMirror = signal<MirrorPlane | null>(null);
   readonly panelOpen = signal(false);
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
@@ -59,7 +65,10 @@ export class PageState {
   readonly stale: ReadonlySignal<boolean>;
   readonly small: ReadonlySignal<boolean>;
   readonly themeName: ReadonlySignal<'light' | 'dark'>;
+  /** Where something is wrong in the sketch or in the model made for it. */
   readonly problemPoints: ReadonlySignal<readonly Vec3[]>;
+  /** Lines that cannot be built as drawn. */
+  readonly problemLines: ReadonlySignal<ReadonlySet<number>>;
   readonly hoveredPart: ReadonlySignal<string | null>;
   readonly partMarks: ReadonlySignal<{
     readonly hovered: number | null;
@@ -92,7 +101,14 @@ export class PageState {
     });
     this.problemPoints = computed(() => {
       const problems = this.stale.value ? [] : (this.result.value?.problems ?? []);
-      return problems.flatMap((problem) => (problem.at ? [problem.at] : []));
+      const ofModel = problems.flatMap((problem) => (problem.at ? [problem.at] : []));
+      return [...ofModel, ...this.faults.value.map((fault) => fault.at)];
+    });
+    this.problemLines = computed(() => {
+      const { phase, message } = solve.value;
+      const refused = phase === 'refused' ? refusedLine(message) : null;
+      const faulty = this.faults.value.flatMap((fault) => fault.lines);
+      return new Set(refused === null ? faulty : [...faulty, refused]);
     });
     this.hoveredPart = computed(() => {
       const index = this.hoveredPartIndex.value;
@@ -149,4 +165,10 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
 /** Every part here is a Technic part, so the word says nothing. */
 function shortName(name: string): string {
   return name.replace(/^Technic\s+/, '');
+}
+
+/** The line that a refusal of the core names, such as `lines[3]: …`, or null. */
+export function refusedLine(message: string): number | null {
+  const match = /^lines\[(\d+)\]/.exec(message);
+  return match ? Number(match[1]) : null;
 }

@@ -169,11 +169,13 @@ export class SceneBridge implements PointerTarget {
   }
 
   #showSketch(): void {
-    const { store, tool, problemPoints } = this.#state;
+    const { store, tool, problemPoints, problemLines, proposedMirror } = this.#state;
     const marks: SketchMarks = {
       selected: store.selection.value,
       hovered: tool.value.overlay.value.hovered,
+      errors: problemLines.value,
       errorPoints: problemPoints.value,
+      proposedMirror: proposedMirror.value,
     };
     this.#view?.setSketch(store.sketch.value, marks);
   }

@@ -1,12 +1,15 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
 import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
+import type { Vec3 } from '../model/vec.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
 import type { Preferences } from '../state/preferences.ts';
+import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
 import type { SceneView } from '../view/scene-view.ts';
@@ -130,6 +133,12 @@ export interface Page {
   readonly dialog: Signal<DialogName>;
   readonly toasts: ReadonlySignal<readonly Toast[]>;
   readonly announcement: ReadonlySignal<string>;
+  /** What cannot be built as drawn. */
+  readonly faults: ReadonlySignal<readonly SketchFault[]>;
+  /** Planes that mirror the sketch onto itself. */
+  readonly mirrors: ReadonlySignal<readonly MirrorPlane[]>;
+  /** The plane that is shown because somebody is about to confirm it. */
+  readonly proposedMirror: Signal<MirrorPlane | null>;
   readonly panelOpen: Signal<boolean>;
   readonly dropping: ReadonlySignal<boolean>;
   readonly webglMissing: ReadonlySignal<boolean>;
@@ -149,6 +158,11 @@ export interface Page {
   openExample(example: Example): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
+  /** Brings a place to the middle of the picture. */
+  showPlace(at: Vec3): void;
+  mend(fault: SketchFault): void;
+  confirmMirror(plane: MirrorPlane): void;
+  dropSymmetry(index: number): void;
   rename(name: string): void;
   dismissToast(id: number): void;
   /** Typed into the length field of the options bar. */

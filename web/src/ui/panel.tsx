@@ -6,6 +6,7 @@ import { usePage } from './page-context.ts';
 import { ProgressChart } from './progress-chart.tsx';
 import { ResultSection } from './result-section.tsx';
 import { SettingsSection } from './settings-section.tsx';
+import { SketchFaults, SymmetrySection } from './sketch-section.tsx';
 import { SolveSection } from './solve-section.tsx';
 import { plural, text } from './text.ts';
 
@@ -28,11 +29,13 @@ export function Panel() {
       </button>
       <div class="panel-body">
         <SolveSection />
+        <SketchFaults />
         <ResultSection />
         {shown?.final ? <Downloads /> : null}
         {shown?.final ? <ChecksSection result={shown} /> : null}
         {shown?.final ? <Parts result={shown} /> : null}
         <SearchChart />
+        <SymmetrySection />
         <SettingsSection />
       </div>
     </aside>

@@ -3,6 +3,7 @@ import { COMMANDS_DE } from './text/de/commands.ts';
 import { DIALOGS_DE } from './text/de/dialogs.ts';
 import { DRAW_DE } from './text/de/draw.ts';
 import { FILES_DE } from './text/de/files.ts';
+import { SKETCH_DE } from './text/de/sketch.ts';
 import { SOLVE_DE } from './text/de/solve.ts';
 import { VIEW_DE } from './text/de/view.ts';
 import { APP_EN } from './text/en/app.ts';
@@ -10,6 +11,7 @@ import { COMMANDS_EN } from './text/en/commands.ts';
 import { DIALOGS_EN } from './text/en/dialogs.ts';
 import { DRAW_EN } from './text/en/draw.ts';
 import { FILES_EN } from './text/en/files.ts';
+import { SKETCH_EN } from './text/en/sketch.ts';
 import { SOLVE_EN } from './text/en/solve.ts';
 import { VIEW_EN } from './text/en/view.ts';
 import { chooseWords, formatNumber } from './text/language.ts';
@@ -20,6 +22,7 @@ const EN = {
   ...DIALOGS_EN,
   ...DRAW_EN,
   ...FILES_EN,
+  ...SKETCH_EN,
   ...SOLVE_EN,
   ...VIEW_EN,
 };
@@ -31,6 +34,7 @@ export const text = chooseWords(EN, {
   ...DIALOGS_DE,
   ...DRAW_DE,
   ...FILES_DE,
+  ...SKETCH_DE,
   ...SOLVE_DE,
   ...VIEW_DE,
 });

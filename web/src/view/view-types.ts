@@ -48,6 +48,8 @@ export interface SketchMarks {
   /** Points to ring: failed junctions, blocked joints. */
   readonly errorPoints?: readonly Vec3[];
   readonly selectedJoint?: number | null;
+  /** A mirror plane that is not part of the sketch yet. */
+  readonly proposedMirror?: { readonly normal: Vec3; readonly offset: number } | null;
 }
 
 /** A plane to draw on: perpendicular to an axis, through a point that anchors its unit grid. */

@@ -11,6 +11,7 @@ import {
   quarterTurn,
   removeLines,
 } from '../../state/edits.ts';
+import { mirrorPlace } from '../../state/mirror-place.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -195,16 +196,13 @@ function transformCommands(actions: Actions): Command[] {
   ];
 }
 
-/** Adds the mirror image at the far side of the selection, so that both halves touch. */
+/** Adds the mirror image; see mirrorPlace() for where the mirror stands. */
 function mirrorCopy(actions: Actions, axis: AxisName): void {
   const { store } = actions.state;
-  const lines = selectedLines(store.sketch.value, store.selection.value);
-  const box = boundsOfPoints(lines.flatMap((line) => [line.from, line.to]));
-  if (box) {
-    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
-    const images = lines.map((line) => mapLine(line, mirrorAt(axis, box.max[k])));
-    actions.edit(text.edits.mirror, addLines(store.sketch.value, images));
-  }
+  const sketch = store.sketch.value;
+  const mirror = mirrorAt(axis, mirrorPlace(sketch, store.selection.value, axis));
+  const images = selectedLines(sketch, store.selection.value).map((line) => mapLine(line, mirror));
+  actions.edit(text.edits.mirror, addLines(sketch, images));
 }
 
 /** The middle of some lines, moved to the lattice so that whole points turn into whole points. */
