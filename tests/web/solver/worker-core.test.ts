@@ -53,6 +53,7 @@ function countingModule(steps: number) {
     checkModelJson: (text) =>
       text === 'bad' ? { status: 'invalidInput', text: 'no model' } : { status: 'ok', text },
     planAssemblyJson: (text) => ({ status: 'ok', text }),
+    analyseStressJson: (text, options) => ({ status: 'ok', text: `${text} under ${options}` }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',
   };
