@@ -30,7 +30,7 @@ std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& pr
   if (settings.method == kPaperMethod) {
     search::PaperOptions options = settings.paper;
     options.seed = settings.annealing.seed;
-    options.corners = settings.annealing.corners;
+    options.corners = settings.annealing.parts.corners;
     options.lengths = settings.annealing.lengths;
     options.weights = settings.annealing.weights;
     return std::make_unique<search::PaperSearch>(problem, solver, std::move(options));

@@ -69,6 +69,22 @@ constexpr std::array<NumberKey, 7> kNumberKeys{{
      [](Settings* s, double v) { s->paper.coolingRate = v; }},
 }};
 
+//! A part of the search that can be switched off with 0 (docs/ablations.md).
+struct SwitchKey {
+  std::string_view name;
+  bool search::SearchParts::*part;
+};
+
+constexpr std::array<SwitchKey, 7> kSwitchKeys{{
+    {"search.corners", &search::SearchParts::corners},
+    {"search.focus", &search::SearchParts::focus},
+    {"search.pairs", &search::SearchParts::pairs},
+    {"search.many", &search::SearchParts::many},
+    {"search.turns", &search::SearchParts::turns},
+    {"search.noise", &search::SearchParts::noise},
+    {"search.growth", &search::SearchParts::growth},
+}};
+
 Error invalid(const std::string& message) {
   return {Status::kInvalidInput, message};
 }
@@ -153,6 +169,9 @@ std::string knownKeys() {
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
+  for (const SwitchKey& key : kSwitchKeys) {
+    keys += ", " + std::string(key.name);
+  }
   for (const objective::Term& term : objective::kTerms) {
     keys += ", weights." + std::string(term.name);
   }
@@ -174,6 +193,16 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
     if (term) {
       return invalid("set." + key + ": a number from 0 to 1000000 is needed, not " + value.dump());
     }
+  }
+  for (const SwitchKey& known : kSwitchKeys) {
+    if (known.name != key) {
+      continue;
+    }
+    if (number != 0.0 && number != 1.0) {
+      return invalid("set." + key + ": 0 or 1 is needed, not " + value.dump());
+    }
+    settings->annealing.parts.*known.part = number == 1.0;
+    return true;
   }
   for (const NumberKey& known : kNumberKeys) {
     if (known.name != key) {
@@ -258,6 +287,10 @@ std::string settingsJson(const Settings& settings) {
     weights[std::string(objective::kTerms[i].name)] = settings.annealing.weights[i];
   }
   const search::AnnealingOptions& a = settings.annealing;
+  json parts = json::object();
+  for (const SwitchKey& key : kSwitchKeys) {
+    parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
+  }
   return json{{"seed", a.seed},
               {"preset", std::string(objective::nameOf(settings.preset))},
               {"method", settings.method},
@@ -269,6 +302,7 @@ std::string settingsJson(const Settings& settings) {
               {"lengths", a.lengths},
               {"connectors", settings.connectors},
               {"paper.coolingRate", settings.paper.coolingRate},
+              {"search", parts},
               {"weights", weights}}
       .dump();
 }

@@ -30,7 +30,8 @@ struct Settings {
 //! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.
 //! \details Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual number of
 //! iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`, `mechanismParts`,
-//! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper).
+//! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper),
+//! and `search.PART`, 1 or 0 (search/annealer.h, SearchParts).
 //! \return The settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);
 

@@ -170,7 +170,8 @@ bool Annealer::advance(std::uint32_t iterations) {
     }
     move();
     ++iteration_;
-    if (layout_.tallies().violations() > 0 && iteration_ - lastChange_ > kPatience) {
+    if (options_.parts.growth && layout_.tallies().violations() > 0 &&
+        iteration_ - lastChange_ > kPatience) {
       raiseWeights();
       lastChange_ = iteration_;
     }

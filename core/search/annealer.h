@@ -11,6 +11,18 @@
 
 namespace liftarm::search {
 
+//! \brief Parts of the search that can be switched off, to see what each is worth
+//! (docs/ablations.md).
+struct SearchParts {
+  bool corners = true;  //!< L beams
+  bool focus = true;    //!< most moves at violated places
+  bool pairs = true;    //!< moves that cover two runs anew
+  bool many = true;     //!< ruin and recreate of several runs
+  bool turns = true;    //!< moves that turn a run's hole axis
+  bool noise = true;    //!< random amounts on the costs of a cover
+  bool growth = true;   //!< violations that stay gain weight
+};
+
 struct AnnealingOptions {
   std::uint64_t seed = 1;
   int starts = 60;                //!< of stage one
@@ -19,7 +31,7 @@ struct AnnealingOptions {
   std::uint32_t iterationsPerRun = 120;
   std::uint32_t minIterations = 1500;
   std::uint32_t maxRounds = 6;  //!< further rounds while no layout without violations was found
-  bool corners = true;          //!< whether L beams may be used
+  SearchParts parts;
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };

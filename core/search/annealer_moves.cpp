@@ -51,7 +51,8 @@ std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, i
 int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
   site_ = -1;
-  if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
+  if (!options_.parts.focus || layout_.tallies().violations() == 0 ||
+      rng_.unit() >= kPickViolation) {
     return static_cast<int>(rng_.below(runs));
   }
   sites_.clear();
@@ -120,7 +121,7 @@ bool Annealer::recover(int run, double noise) {
   if (!arms.empty() && rng_.unit() < kStraighten) {
     return straighten(run, noise);
   }
-  if (arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+  if (options_.parts.turns && arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
     axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
   }
   return coverRun(run, axis, noise, arms);
@@ -229,15 +230,16 @@ bool Annealer::recoverMany(int run, double noise) {
 
 void Annealer::move() {
   const int run = pickRun();
-  const double noise = kMostNoise * rng_.unit();
-  const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
-  const bool corner = !many && options_.corners && rng_.unit() < kPickBend;
+  const double noise = options_.parts.noise ? kMostNoise * rng_.unit() : 0.0;
+  const bool many =
+      options_.parts.many && layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
+  const bool corner = !many && options_.parts.corners && rng_.unit() < kPickBend;
   bool changed = many ? recoverMany(run, noise) : (corner ? bend(run, noise) : recover(run, noise));
   if (corner && !changed) {
     layout_.revert();
     return;
   }
-  if (!many && !corner && rng_.unit() < kPickTwo) {
+  if (options_.parts.pairs && !many && !corner && rng_.unit() < kPickTwo) {
     const int partner = pickPartner(run);
     changed = (partner >= 0 && recover(partner, noise)) || changed;
   }
