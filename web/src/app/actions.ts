@@ -1,4 +1,5 @@
 import type { SketchDocument, SketchLine } from '../model/sketch.ts';
+import type { AxisName } from '../model/vec.ts';
 import type { ToolId } from '../tools/tool.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
@@ -30,6 +31,8 @@ export interface Actions {
   generate(): void;
   cancel(): void;
   fit(): void;
+  /** Cuts the model open in its middle; null closes it. */
+  cutAlong(axis: AxisName | null): void;
   setView(view: StandardView): void;
   announce(message: string): void;
   /** @param id null goes back to the drawing. */

@@ -17,6 +17,7 @@ import '../../styles/tokens.css';
 import '../../styles/base.css';
 import '../../styles/layout.css';
 import '../../styles/controls.css';
+import '../../styles/inspect.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';
 import '../../styles/rooms.css';
@@ -83,6 +84,7 @@ function pageOf(controller: PageController): Page {
     openExample: controller.openExample,
     openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
+    cutAlong: controller.cutAlong,
     showPlace: controller.showPlace,
     mend: controller.mend,
     confirmMirror: controller.confirmMirror,
@@ -178,7 +180,7 @@ async function start(): Promise<void> {
       mac: page.mac,
       tool: () => state.tool.value,
       covered: () => state.dialog.value !== null || state.room.value !== null,
-      atRest: () => controller.useTool('select'),
+      atRest: controller.rest,
     },
     new AbortController().signal,
   );

@@ -1,8 +1,9 @@
 import { effect, signal } from '@preact/signals';
 import type { MirrorPlane } from '../geometry/mirrors.ts';
+import { modelBounds } from '../model/bounds.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
-import type { Vec3 } from '../model/vec.ts';
+import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolverClient } from '../solver/client.ts';
 import type { SolveSettings } from '../solver/protocol.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
@@ -101,6 +102,15 @@ export class PageController implements Actions {
     tool.value = this.#toolOf(id);
     tool.value.reset();
     this.announce(text.toolNames[id]);
+  };
+
+  /** Escape with nothing left to step back from. */
+  readonly rest = (): void => {
+    if (this.state.pickedPart.value !== null) {
+      this.state.pickedPart.value = null;
+    } else {
+      this.useTool('select');
+    }
   };
 
   readonly focusDrawing = (): void => this.scene.focus();
@@ -236,6 +246,13 @@ export class PageController implements Actions {
       }
     });
   }
+
+  readonly cutAlong = (axis: AxisName | null): void => {
+    const { section, shown, catalogue } = this.state;
+    const box = axis && shown.value ? modelBounds(shown.value.model, catalogue) : null;
+    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
+    section.value = axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
+  };
 
   readonly setView = (view: StandardView): void => {
     this.scene.view?.fit(view);

@@ -59,6 +59,8 @@ export class PageState {
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
   readonly hoveredPartIndex = signal<number | null>(null);
+  /** The brick that was clicked, by index. */
+  readonly pickedPart = signal<number | null>(null);
   readonly systemDark = signal(false);
 
   readonly result: ReadonlySignal<ResultState | null>;
@@ -72,6 +74,7 @@ export class PageState {
   readonly hoveredPart: ReadonlySignal<string | null>;
   readonly partMarks: ReadonlySignal<{
     readonly hovered: number | null;
+    readonly selected: ReadonlySet<number>;
     readonly errors: ReadonlySet<number>;
   }>;
 
@@ -117,7 +120,12 @@ export class PageState {
     this.partMarks = computed(() => {
       const focused = this.focusedProblem.value;
       const problem = focused === null ? null : this.result.value?.problems[focused];
-      return { hovered: this.hoveredPartIndex.value, errors: new Set(problem?.parts ?? []) };
+      const picked = this.pickedPart.value;
+      return {
+        hovered: this.hoveredPartIndex.value,
+        selected: new Set(picked === null ? [] : [picked]),
+        errors: new Set(problem?.parts ?? []),
+      };
     });
   }
   /** Part indices mean nothing for another model. */
@@ -126,6 +134,7 @@ export class PageState {
     this.isolation.value = null;
     this.focusedProblem.value = null;
     this.hoveredPartIndex.value = null;
+    this.pickedPart.value = null;
   }
 }
 

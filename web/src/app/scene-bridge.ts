@@ -2,16 +2,18 @@ import { effect, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
-import type { OverlayLabel, PointerInput, ToolView } from '../tools/tool.ts';
+import type { PointerInput, ToolView } from '../tools/tool.ts';
 import type { PointerTaker } from '../ui/page.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
+import { SceneLabel } from './scene-label.ts';
 
 const NOTHING: Pick = { line: null, node: null, part: null };
-const LABEL_OFFSET = 16;
+/** A press that moves farther than this is a drag. */
+const CLICK_PIXELS = 4;
 /** Pause after the picture of an unfinished layout, as a multiple of what the picture cost. */
 const INTERIM_SHARE = 4;
 
@@ -22,11 +24,11 @@ export class SceneBridge implements PointerTarget {
   readonly webglMissing = signal(false);
   #view: SceneView | null = null;
   #canvas: HTMLCanvasElement | null = null;
-  #label: HTMLElement | null = null;
-  #labelShown: OverlayLabel | null = null;
+  readonly #label = new SceneLabel();
   #coarse = false;
   #nextInterim = 0;
   #lastModel: Model | null = null;
+  #pressedAt: PointerInput | null = null;
   /** Who has taken the press that is under way. */
   #taker: PointerTaker | null = null;
 
@@ -53,12 +55,8 @@ export class SceneBridge implements PointerTarget {
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', text.app.drawing);
     canvas.setAttribute('aria-describedby', 'drawing-help');
-    const label = document.createElement('div');
-    label.className = 'scene-label';
-    label.hidden = true;
-    host.append(canvas, label);
+    host.append(canvas, this.#label.element);
     this.#canvas = canvas;
-    this.#label = label;
     // Before the view: its controls must find the navigation that fits the press.
     const feed = new PointerFeed(host, canvas, this);
     try {
@@ -76,7 +74,7 @@ export class SceneBridge implements PointerTarget {
       this.#view?.dispose();
       this.#view = null;
       canvas.remove();
-      label.remove();
+      this.#label.element.remove();
     };
   }
 
@@ -99,6 +97,7 @@ export class SceneBridge implements PointerTarget {
       return;
     }
     this.#taker = null;
+    this.#pressedAt = at;
     const navigation = this.#state.tool.value.navigation(at);
     this.#setNavigation(navigation);
     this.#view?.setTurntable('off');
@@ -125,6 +124,18 @@ export class SceneBridge implements PointerTarget {
       return;
     }
     this.#state.tool.value.pointerUp(at);
+    this.#pickPart(at);
+  }
+
+  /** With the selecting tool, a click on a brick and on no line picks the brick. */
+  #pickPart(at: PointerInput): void {
+    const from = this.#pressedAt;
+    this.#pressedAt = null;
+    const still = from && Math.hypot(at.x - from.x, at.y - from.y) <= CLICK_PIXELS;
+    if (still && this.#state.tool.value.id === 'select') {
+      const { line, part } = this.toolView.pickAt(at);
+      this.#state.pickedPart.value = line === null ? (part?.index ?? null) : null;
+    }
   }
 
   left(): void {
@@ -214,33 +225,14 @@ export class SceneBridge implements PointerTarget {
     const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
     this.#view?.setGuidePlane(plane, overlay.cursor);
     this.#view?.setPreview(overlay.preview);
-    this.#setLabel(overlay.label);
-  }
-
-  #setLabel(label: OverlayLabel | null): void {
-    this.#labelShown = label;
-    const element = this.#label;
-    if (!element) {
-      return;
-    }
-    element.hidden = label === null;
-    if (label) {
-      const main = document.createElement('strong');
-      main.textContent = label.main;
-      const note = document.createElement('span');
-      note.textContent = label.note;
-      element.dataset['kind'] = label.kind;
-      element.replaceChildren(main, note);
-      this.#placeLabel();
-    }
+    this.#label.set(overlay.label);
+    this.#placeLabel();
   }
 
   #placeLabel(): void {
-    if (this.#labelShown && this.#label && this.#view) {
-      const at = this.#view.project(this.#labelShown.at);
-      const x = Math.round(at.x + LABEL_OFFSET);
-      const y = Math.round(at.y + LABEL_OFFSET);
-      this.#label.style.transform = `translate(${x}px, ${y}px)`;
+    const view = this.#view;
+    if (view) {
+      this.#label.place((at) => view.project(at));
     }
   }
 

@@ -5,7 +5,7 @@ import type { PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
 import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
-import type { Vec3 } from '../model/vec.ts';
+import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
 import type { Preferences } from '../state/preferences.ts';
@@ -144,6 +144,8 @@ export interface Page {
   readonly webglMissing: ReadonlySignal<boolean>;
   readonly focusedProblem: ReadonlySignal<number | null>;
   readonly hoveredPart: ReadonlySignal<string | null>;
+  /** The brick that was clicked, by index. */
+  readonly pickedPart: Signal<number | null>;
   readonly mac: boolean;
   /** Gives the element that the scene is drawn into. @returns what to do when it goes away. */
   mountScene(host: HTMLElement): () => void;
@@ -158,6 +160,8 @@ export interface Page {
   openExample(example: Example): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
+  /** Cuts the model open in its middle; null closes it. */
+  cutAlong(axis: AxisName | null): void;
   /** Brings a place to the middle of the picture. */
   showPlace(at: Vec3): void;
   mend(fault: SketchFault): void;
