@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <set>
-#include <tuple>
 
+#include "analysis/frame_rest.h"
 #include "analysis/union_find.h"
 
 namespace liftarm::analysis {
@@ -15,70 +14,6 @@ namespace liftarm::analysis {
 namespace {
 
 using lattice::Vec3;
-
-struct GroundPoint {
-  int part = -1;
-  Vec3 at;  // world, modules
-};
-
-//! The points of a prism that are lowest for its pose: where it would touch a table.
-void addLowPoints(const parts::Prism& prism, int part, std::vector<GroundPoint>& points) {
-  constexpr double kUpright = 0.999;
-  const Vec3 up{0, 0, 1};
-  const Vec3 axis = prism.axis;
-  for (const Vec3 end : {prism.from, prism.to}) {
-    if (std::abs(axis.z) > kUpright) {
-      // Lies on a flat face: the four points around each end.
-      const Vec3 side =
-          lattice::normalized(std::abs(axis.x) < 0.9 ? lattice::cross(axis, {1, 0, 0})
-                                                     : lattice::cross(axis, {0, 1, 0}));
-      const Vec3 bottom = end - prism.halfThickness * up;
-      for (const Vec3 way : {side, lattice::cross(up, side)}) {
-        points.push_back({part, bottom + prism.radius * way});
-        points.push_back({part, bottom - prism.radius * way});
-      }
-    } else {
-      const Vec3 down = lattice::normalized(axis.z * axis - up);
-      const Vec3 bottom = end + prism.radius * down;
-      points.push_back({part, bottom + prism.halfThickness * axis});
-      points.push_back({part, bottom - prism.halfThickness * axis});
-    }
-  }
-}
-
-std::vector<GroundPoint> findGroundPoints(const Scene& scene) {
-  std::set<std::tuple<int, int, int>> inHoles;
-  for (const model::Connection& c : scene.connections) {
-    inHoles.insert({c.male, c.maleFeature, c.maleSlot});
-  }
-  std::vector<GroundPoint> all;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    const int part = static_cast<int>(i);
-    for (const Shape& shape : scene.parts[i].shapes) {
-      const bool free =
-          shape.kind == Shape::Kind::kHead && inHoles.count({part, shape.feature, shape.slot}) == 0;
-      if (shape.kind == Shape::Kind::kBody || free) {
-        addLowPoints(shape.prism, part, all);
-      }
-    }
-  }
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const GroundPoint& point : all) {
-    lowest = std::min(lowest, point.at.z);
-  }
-  std::vector<GroundPoint> result;
-  constexpr double kSame = 1e-6;
-  for (const GroundPoint& point : all) {
-    const auto isSame = [&](const GroundPoint& other) {
-      return other.part == point.part && lattice::length(other.at - point.at) < kSame;
-    };
-    if (point.at.z < lowest + kGroundTolerance &&
-        std::none_of(result.begin(), result.end(), isSame)) {
-      result.push_back(point);
-    }
-  }
-  return result;
-}
 
 int nearestNode(const FrameModel& model, const GroundPoint& point) {
   const std::vector<int>& nodes = model.nodesOfPart[static_cast<std::size_t>(point.part)];
@@ -106,7 +41,7 @@ std::vector<int> assembliesOf(const Frame& frame) {
 }
 
 double apart(const FrameSpring& a, const FrameSpring& b) {
-  return std::hypot(a.at.x - b.at.x, a.at.y - b.at.y);
+  return lattice::length(a.at - b.at);
 }
 
 void addHold(FrameModel& model, FrameSpring spring, Six stiffness) {
@@ -116,7 +51,7 @@ void addHold(FrameModel& model, FrameSpring spring, Six stiffness) {
 }
 
 //! Keeps one assembly from sliding. \param feet Its contacts, at least one.
-void holdSideways(FrameModel& model, const std::vector<FrameSpring>& feet) {
+void holdSideways(FrameModel& model, Vec3 up, const std::vector<FrameSpring>& feet) {
   const auto farthest = [&](const FrameSpring& from) {
     return *std::max_element(
         feet.begin(), feet.end(), [&](const FrameSpring& a, const FrameSpring& b) {
@@ -126,25 +61,63 @@ void holdSideways(FrameModel& model, const std::vector<FrameSpring>& feet) {
   const FrameSpring first = farthest(feet.front());
   FrameSpring second = farthest(first);
   addHold(model, first, {kGroundStiffness, kGroundStiffness, 0, 0, 0, 0});
-  const double span = apart(first, second);
-  if (span < 1e-6) {
+  Vec3 along = second.at - first.at;
+  along = along - lattice::dot(along, up) * up;
+  if (lattice::length(along) < 1e-6) {
     // One point: a drill in it.
     constexpr double kDrill = kGroundStiffness * kMillimetresPerModule * kMillimetresPerModule;
     addHold(model, first, {0, 0, 0, 0, 0, kDrill});
     return;
   }
-  const Vec3 along = (1.0 / span) * Vec3{second.at.x - first.at.x, second.at.y - first.at.y, 0};
-  second.axes = lattice::fromColumns(along, lattice::cross({0, 0, 1}, along), {0, 0, 1});
+  along = lattice::normalized(along);
+  second.axes = lattice::fromColumns(along, lattice::cross(up, along), up);
   addHold(model, second, {0, kGroundStiffness, 0, 0, 0, 0});
+}
+
+//! Of the loads there so far, which are weights along -z. Modules.
+Vec3 centreOfMass(const Frame& frame) {
+  Vec3 sum;
+  double total = 0.0;
+  const auto add = [&](Vec3 at, double weight) {
+    sum = sum + weight * at;
+    total += weight;
+  };
+  for (const FrameElement& element : frame.elements) {
+    const Vec3 a = frame.nodes[static_cast<std::size_t>(element.a)];
+    const Vec3 b = frame.nodes[static_cast<std::size_t>(element.b)];
+    add(0.5 * (a + b), -element.load.z * lattice::length(b - a));
+  }
+  for (std::size_t node = 0; node < frame.nodes.size(); ++node) {
+    add(frame.nodes[node], -frame.loads[node][2]);
+  }
+  return total > 0.0 ? (1.0 / (total * kMillimetresPerModule)) * sum : sum;
+}
+
+//! Weights along -z become weights against `up`.
+void turnWeights(Frame& frame, Vec3 up) {
+  for (FrameElement& element : frame.elements) {
+    element.load = element.load.z * up;
+  }
+  for (Six& load : frame.loads) {
+    const Vec3 turned = load[2] * up;
+    load = {turned.x, turned.y, turned.z, 0, 0, 0};
+  }
 }
 
 }  // namespace
 
 void addGround(const Scene& scene, FrameModel& model) {
-  for (const GroundPoint& point : findGroundPoints(scene)) {
+  const Rest rest = findRest(scene, centreOfMass(model.frame));
+  model.up = rest.up;
+  model.tilt = rest.tilt;
+  turnWeights(model.frame, rest.up);
+  const Vec3 other = std::abs(rest.up.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  const Vec3 y = lattice::normalized(lattice::cross(rest.up, other));
+  for (const GroundPoint& point : rest.feet) {
     FrameSpring contact;
     contact.a = nearestNode(model, point);
     contact.at = kMillimetresPerModule * point.at;
+    contact.axes = lattice::fromColumns(lattice::cross(y, rest.up), y, rest.up);
     contact.stiffness = {0, 0, kGroundStiffness, 0, 0, 0};
     model.frame.contacts.push_back(contact);
   }
@@ -159,10 +132,10 @@ void addGround(const Scene& scene, FrameModel& model) {
     std::copy_if(model.frame.contacts.begin(),
                  model.frame.contacts.end(),
                  std::back_inserter(feet),
-                 [&](const FrameSpring& other) {
-                   return assemblies[static_cast<std::size_t>(other.a)] == assembly;
+                 [&](const FrameSpring& foot) {
+                   return assemblies[static_cast<std::size_t>(foot.a)] == assembly;
                  });
-    holdSideways(model, feet);
+    holdSideways(model, rest.up, feet);
   }
 }
 

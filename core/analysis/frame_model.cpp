@@ -51,10 +51,10 @@ class Builder {
     }
     result_.frame.loads.assign(result_.frame.nodes.size(), Six{});
     addWeights();
+    addGround(scene_, result_);
     for (const PlacedLoad& load : loads.value()) {
       addLoad(load);
     }
-    addGround(scene_, result_);
     return std::move(result_);
   }
 
@@ -146,10 +146,8 @@ class Builder {
     const double modules = std::min(head.length / static_cast<double>(head.slots.size()),
                                     hole.length / static_cast<double>(hole.slots.size()));
     const double length = modules * kMillimetresPerModule;
-    const bool pin = head.kind == parts::FeatureKind::kPin;
-    const bool held =
-        options_.friction == Friction::kLocked ||
-        (options_.friction == Friction::kHeld && (!pin || scene_.parts[male].part->friction));
+    const bool held = options_.friction == FitHold::kLocked ||
+                      (options_.friction == FitHold::kHeld && frictionHolds(head, c.male));
     const double across = fitStiffness(length);
     const double rocking = fitRockingStiffness(length);
     double along = across;
@@ -169,6 +167,13 @@ class Builder {
     spring.stiffness = {along, across, across, turning, rocking, rocking};
     result_.frame.springs.push_back(spring);
     result_.connectionOfSpring.push_back(index);
+  }
+
+  //! Pins of connectors have the ridges of friction pins; only plain pins turn freely.
+  [[nodiscard]] bool frictionHolds(const parts::Feature& head, int male) const {
+    const parts::Part& part = *scene_.parts[static_cast<std::size_t>(male)].part;
+    return head.kind != parts::FeatureKind::kPin || part.partClass != parts::PartClass::kPin ||
+           part.friction;
   }
 
   void addWeights() {

@@ -60,20 +60,20 @@ std::string namesOf(const Scene& scene, const std::vector<int>& parts) {
   return text;
 }
 
-std::string adviceFor(Friction friction) {
+std::string adviceFor(FitHold friction) {
   switch (friction) {
-    case Friction::kFree:
+    case FitHold::kFree:
       return "brace it, or reckon with pins that friction holds";
-    case Friction::kHeld:
+    case FitHold::kHeld:
       return "brace it, or reckon with all fits locked, pins without friction too";
-    case Friction::kLocked:
+    case FitHold::kLocked:
       return "something is not connected";
   }
   return "";
 }
 
 //! Gives the state of a frame that moves.
-void tellMotion(const Scene& scene, const char* how, Friction friction, StressState& state) {
+void tellMotion(const Scene& scene, const char* how, FitHold friction, StressState& state) {
   state.stands = false;
   state.moving = movingParts(state.model, state.displacements);
   state.message =
@@ -83,7 +83,8 @@ void tellMotion(const Scene& scene, const char* how, Friction friction, StressSt
 //! Finds which contacts carry.
 class ContactSolver {
  public:
-  ContactSolver(const Frame& frame) : frame_(frame), solver_(frame), loads_(nodalLoads(frame)) {
+  explicit ContactSolver(const Frame& frame)
+      : frame_(frame), solver_(frame), loads_(nodalLoads(frame)) {
     active_.assign(frame.contacts.size(), true);
     for (const Six& load : loads_) {
       size_ += lattice::length(translation(load));
@@ -304,6 +305,8 @@ StressReport reportStress(const Scene& scene, const StressState& state) {
   StressReport report;
   report.parts.resize(scene.parts.size());
   report.weight = state.model.weight;
+  report.up = state.model.up;
+  report.tilt = state.model.tilt;
   std::map<int, PinStress> pins;
   addBars(state, report, pins);
   addHeldTorques(scene, state, pins);

@@ -60,6 +60,8 @@ struct StressReport {
   double weight = 0.0;           //!< N
   double imbalance =
       0.0;  //!< sum of loads and reactions over the greatest of them; 0 but for rounding
+  lattice::Vec3 up{0, 0, 1};  //!< away from the table it rests on
+  double tilt = 0.0;          //!< degrees between that and the drawing's z
   std::vector<PartStress> parts;
   std::vector<PinStress> pins;
   std::vector<Reaction> reactions;

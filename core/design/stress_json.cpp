@@ -68,13 +68,18 @@ ordered_json reportJson(const StressReport& report) {
   for (const analysis::Reaction& reaction : report.reactions) {
     reactions.push_back({{"at", vectorJson(reaction.at)}, {"force", vectorJson(reaction.force)}});
   }
+  constexpr double kLeans = 0.01;  // degrees
+  const std::string leans = "It does not stand as drawn: it leans over by " +
+                            model::numberText(report.tilt, 1) + " degrees and rests so";
   return {{"ok", true},
-          {"message", ""},
+          {"message", report.tilt > kLeans ? leans : ""},
           {"maxStress", rounded(report.maxStress)},
           {"safety", rounded(report.safety)},
           {"maxDisplacement", rounded(report.maxDisplacement)},
           {"weight", rounded(report.weight)},
           {"imbalance", report.imbalance},
+          {"tilt", rounded(report.tilt)},
+          {"up", vectorJson(report.up)},
           {"parts", parts},
           {"samples", samples},
           {"pins", pins},

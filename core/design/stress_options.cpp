@@ -13,7 +13,7 @@ namespace liftarm::design {
 
 namespace {
 
-using analysis::Friction;
+using analysis::FitHold;
 using nlohmann::json;
 
 constexpr std::size_t kMaxLoads = 1000;
@@ -48,16 +48,16 @@ base::Result<lattice::Vec3> readVector(const json& object,
   return result;
 }
 
-base::Result<Friction> readFriction(const json& value) {
+base::Result<FitHold> readFriction(const json& value) {
   const std::string name = value.is_string() ? value.get<std::string>() : "";
   if (name == "held") {
-    return Friction::kHeld;
+    return FitHold::kHeld;
   }
   if (name == "free") {
-    return Friction::kFree;
+    return FitHold::kFree;
   }
   if (name == "locked") {
-    return Friction::kLocked;
+    return FitHold::kLocked;
   }
   return invalid("friction: expected \"held\", \"free\" or \"locked\"");
 }
@@ -94,7 +94,7 @@ base::Result<analysis::StressOptions> readStressOptions(std::string_view text) {
     return invalid("options: expected an object in braces");
   }
   if (document.contains("friction")) {
-    const base::Result<Friction> friction = readFriction(document.at("friction"));
+    const base::Result<FitHold> friction = readFriction(document.at("friction"));
     if (!friction.ok()) {
       return friction.error();
     }
