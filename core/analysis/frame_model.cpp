@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/frame_contacts.h"
+#include "analysis/frame_spin.h"
 
 namespace liftarm::analysis {
 
@@ -27,7 +28,8 @@ lattice::Mat3 axesAlong(Vec3 x) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, const StressOptions& options) : scene_(scene), options_(options) {}
+  Builder(const Scene& scene, const StressOptions& options)
+      : scene_(scene), options_(options), idleHolds_(idleHolds(scene)) {}
 
   base::Result<FrameModel> build() {
     for (std::size_t part = 0; part < scene_.parts.size(); ++part) {
@@ -146,7 +148,8 @@ class Builder {
     const double modules = std::min(head.length / static_cast<double>(head.slots.size()),
                                     hole.length / static_cast<double>(hole.slots.size()));
     const double length = modules * kMillimetresPerModule;
-    const bool held = options_.friction == FitHold::kLocked ||
+    const bool held = idleHolds_[static_cast<std::size_t>(index)] ||
+                      options_.friction == FitHold::kLocked ||
                       (options_.friction == FitHold::kHeld && frictionHolds(head, c.male));
     const double across = fitStiffness(length);
     const double rocking = fitRockingStiffness(length);
@@ -213,6 +216,7 @@ class Builder {
 
   const Scene& scene_;
   const StressOptions& options_;
+  std::vector<bool> idleHolds_;
   FrameModel result_;
   std::vector<Skeleton> skeletons_;
   std::map<std::pair<int, int>, int> nodes_;  // by part and point
