@@ -90,10 +90,12 @@ void BlockingGraph::addAxis(Vec3 axis, std::size_t parts, const Sweep& sweep) {
   // Whether `fixed` is in the way of `mover` along the axis.
   const auto test = [&](std::size_t mover, std::size_t fixed) {
     const double distance = reach[fixed].along.max - reach[mover].along.min;
-    if (distance > kTouch &&
-        sweep.blocks(static_cast<int>(mover), static_cast<int>(fixed), {axis, distance, {}})) {
-      forward[mover].push_back(static_cast<int>(fixed));
-      backward[fixed].push_back(static_cast<int>(mover));
+    const int a = static_cast<int>(mover);
+    const int b = static_cast<int>(fixed);
+    if (distance > kTouch && sweep.blocks(a, b, {axis, distance, {}}) &&
+        !sweep.overlapInPlace(a, b)) {
+      forward[mover].push_back(b);
+      backward[fixed].push_back(a);
     }
   };
   std::vector<std::size_t> active;

@@ -17,7 +17,9 @@ inline constexpr std::size_t kMaxAxes = 10;
 //! \brief For each direction and part, the parts that it would hit on its way to infinity: the
 //! directional blocking graphs of \cite wilson_1994_geometric.
 //! \details Pairs are found by a sweep over their shadows across the direction, then tested
-//! exactly. What blocks two parts never changes while others leave, so this is computed once.
+//! exactly. Parts that overlap in their places do not block each other: that is told elsewhere, and
+//! nothing could be said about the rest. What blocks two parts never changes while others leave, so
+//! this is computed once.
 class BlockingGraph {
  public:
   //! Refers to nothing of the scene afterwards.

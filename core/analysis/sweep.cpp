@@ -181,6 +181,21 @@ bool Sweep::blocks(int mover, int fixed, const Path& path) const {
   return false;
 }
 
+bool Sweep::overlapInPlace(int a, int b) const {
+  const Body& first = bodies_[static_cast<std::size_t>(a)];
+  const Body& second = bodies_[static_cast<std::size_t>(b)];
+  for (const Solid& s : first.solids) {
+    for (const Solid& t : second.solids) {
+      // Not a move, but a way along the head's axis: in its hole it meets nothing.
+      const Path stay{s.kind != Kind::kBody ? s.prism.axis : t.prism.axis, 0.0, {}};
+      if (meet(s.box, t.box, kPenetration) && solidsMeet(first, s, second, t, stay)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 Sweep::Extent Sweep::extent(int part, Vec3 along) const {
   Extent extent;
   for (const Solid& solid : bodies_[static_cast<std::size_t>(part)].solids) {

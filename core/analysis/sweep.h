@@ -16,13 +16,16 @@ struct Path {
 //! \brief Tells whether a part that is moved straight hits another part that stands still.
 //! \details Bodies, heads and collars are swept exactly (convex.h). A head passes a hole that takes
 //! it when both are coaxial and the move is along their axis; a collar may lie in the rim of a pin
-//! hole, and passes none. What overlaps at the start blocks every way.
+//! hole, and passes none.
 class Sweep {
  public:
   explicit Sweep(const Scene& scene);
 
   //! \brief Whether `fixed` is in the way of `mover`.
   [[nodiscard]] bool blocks(int mover, int fixed, const Path& path) const;
+
+  //! \brief Whether two parts take the same space in their places: items 2 and 3 of DESIGN 5 tell.
+  [[nodiscard]] bool overlapInPlace(int a, int b) const;
 
   //! \brief How far a part reaches along a unit vector, modules.
   struct Extent {

@@ -125,7 +125,7 @@ std::string makeReport(const ReportInput& input) {
       // Not judged yet: null, never a guess.
       {"freedoms", nullptr},
       {"balanced", nullptr},
-      {"assemblable", nullptr},
+      {"assemblable", check.assemblable},
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
