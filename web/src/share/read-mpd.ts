@@ -59,9 +59,7 @@ export function readMpd(text: string, catalogue: Catalogue): Outcome<string> {
 
 /** Whether a text looks like an LDraw file: it begins with a comment or a part. */
 export function looksLikeMpd(text: string): boolean {
-  return /^\uFEFF?\s*(0 (FILE|Name:|!|BFC|[^\n]*)|1( -?[\d.]+){13} \S)/i.test(
-    text.slice(0, 4096),
-  );
+  return /^\uFEFF?\s*(0 (FILE|Name:|!|BFC|[^\n]*)|1( -?[\d.]+){13} \S)/i.test(text.slice(0, 4096));
 }
 
 function readFiles(text: string): Map<string, Row[]> {
@@ -108,11 +106,7 @@ class Placer {
   readonly #catalogue: Catalogue;
   readonly #parts: PartRow[];
 
-  constructor(
-    files: ReadonlyMap<string, readonly Row[]>,
-    catalogue: Catalogue,
-    parts: PartRow[],
-  ) {
+  constructor(files: ReadonlyMap<string, readonly Row[]>, catalogue: Catalogue, parts: PartRow[]) {
     this.#files = files;
     this.#catalogue = catalogue;
     this.#parts = parts;

@@ -101,6 +101,16 @@ function toScreen(mesh: BrickMesh, part: DrawnPart, camera: DrawingCamera): Scre
   return { values };
 }
 
+/** A triangle on the picture: what its numbers are at a pixel is `a` plus shares of `b` and `c`. */
+interface Slope {
+  /** Barycentric weights at x = y = 0 and how they grow to the right and downwards. */
+  readonly wb: readonly [number, number, number];
+  readonly wc: readonly [number, number, number];
+  readonly depth: readonly [number, number, number];
+  readonly light: readonly [number, number, number];
+  readonly owner: number;
+}
+
 /** Fills a triangle row by row; what is nearer than what is there already stays. */
 function fillTriangle(
   buffer: DepthBuffer,
@@ -108,43 +118,47 @@ function fillTriangle(
   [a, b, c]: readonly [number, number, number],
   owner: number,
 ): void {
-  const ax = v[4 * a] ?? 0;
-  const ay = v[4 * a + 1] ?? 0;
-  const bx = v[4 * b] ?? 0;
-  const by = v[4 * b + 1] ?? 0;
-  const cx = v[4 * c] ?? 0;
-  const cy = v[4 * c + 1] ?? 0;
+  const at = (vertex: number, field: number) => v[4 * vertex + field] ?? 0;
+  const [ax, bx, cx] = [at(a, 0), at(b, 0), at(c, 0)];
+  const [ay, by, cy] = [at(a, 1), at(b, 1), at(c, 1)];
   const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
   // Counter-clockwise from outside is clockwise on a picture whose y grows downwards.
   if (area >= 0 || !Number.isFinite(area)) {
     return;
   }
-  const { width, height, depth, light } = buffer;
-  const y0 = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
-  const y1 = Math.min(height - 1, Math.floor(Math.max(ay, by, cy) - 0.5));
+  const slope: Slope = {
+    wb: [(cx * ay - ax * cy) / area, (cy - ay) / area, (ax - cx) / area],
+    wc: [(ax * by - bx * ay) / area, (ay - by) / area, (bx - ax) / area],
+    depth: [at(a, 2), at(b, 2) - at(a, 2), at(c, 2) - at(a, 2)],
+    light: [at(a, 3), at(b, 3) - at(a, 3), at(c, 3) - at(a, 3)],
+    owner,
+  };
   const x0 = Math.max(0, Math.ceil(Math.min(ax, bx, cx) - 0.5));
-  const x1 = Math.min(width - 1, Math.floor(Math.max(ax, bx, cx) - 0.5));
-  const az = v[4 * a + 2] ?? 0;
-  const bz = v[4 * b + 2] ?? 0;
-  const cz = v[4 * c + 2] ?? 0;
-  const al = v[4 * a + 3] ?? 0;
-  const bl = v[4 * b + 3] ?? 0;
-  const cl = v[4 * c + 3] ?? 0;
+  const x1 = Math.min(buffer.width - 1, Math.floor(Math.max(ax, bx, cx) - 0.5));
+  const y0 = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
+  const y1 = Math.min(buffer.height - 1, Math.floor(Math.max(ay, by, cy) - 0.5));
   for (let y = y0; y <= y1; y++) {
-    const py = y + 0.5;
-    for (let x = x0; x <= x1; x++) {
-      const px = x + 0.5;
-      const wa = ((bx - px) * (cy - py) - (cx - px) * (by - py)) / area;
-      const wb = ((cx - px) * (ay - py) - (ax - px) * (cy - py)) / area;
-      const wc = 1 - wa - wb;
-      if (wa >= 0 && wb >= 0 && wc >= 0) {
-        const z = wa * az + wb * bz + wc * cz;
-        const at = y * width + x;
-        if (z > (depth[at] ?? 0)) {
-          depth[at] = z;
-          buffer.owner[at] = owner;
-          light[at] = wa * al + wb * bl + wc * cl;
-        }
+    fillRow(buffer, slope, y, [x0, x1]);
+  }
+}
+
+function fillRow(
+  buffer: DepthBuffer,
+  slope: Slope,
+  y: number,
+  [x0, x1]: readonly [number, number],
+): void {
+  const { wb, wc, depth, light } = slope;
+  let b = wb[0] + wb[1] * (x0 + 0.5) + wb[2] * (y + 0.5);
+  let c = wc[0] + wc[1] * (x0 + 0.5) + wc[2] * (y + 0.5);
+  let at = y * buffer.width + x0;
+  for (let x = x0; x <= x1; x++, at++, b += wb[1], c += wc[1]) {
+    if (b >= 0 && c >= 0 && b + c <= 1) {
+      const z = depth[0] + b * depth[1] + c * depth[2];
+      if (z > (buffer.depth[at] ?? 0)) {
+        buffer.depth[at] = z;
+        buffer.owner[at] = slope.owner;
+        buffer.light[at] = light[0] + b * light[1] + c * light[2];
       }
     }
   }

@@ -141,26 +141,25 @@ function reduce(picture: Picture, factor: number): Picture {
   const width = Math.floor(picture.width / factor);
   const height = Math.floor(picture.height / factor);
   const data = new Uint8ClampedArray(width * height * 4);
-  const count = factor * factor;
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {
-      const sum = [0, 0, 0, 0];
-      for (let k = 0; k < count; k++) {
-        const from =
-          4 * ((y * factor + Math.floor(k / factor)) * picture.width + x * factor + (k % factor));
-        const alpha = picture.data[from + 3] ?? 0;
-        for (let c = 0; c < 3; c++) {
-          sum[c] = (sum[c] ?? 0) + (picture.data[from + c] ?? 0) * alpha;
-        }
-        sum[3] = (sum[3] ?? 0) + alpha;
-      }
-      const to = 4 * (y * width + x);
-      const opaque = sum[3] ?? 0;
-      for (let c = 0; c < 3; c++) {
-        data[to + c] = opaque > 0 ? (sum[c] ?? 0) / opaque : 0;
-      }
-      data[to + 3] = opaque / count;
+      data.set(average(picture, x * factor, y * factor, factor), 4 * (y * width + x));
     }
   }
   return { width, height, data };
+}
+
+/** The mean colour of a square of pixels. */
+function average(picture: Picture, x0: number, y0: number, side: number): number[] {
+  let [red, green, blue, opaque] = [0, 0, 0, 0];
+  for (let k = 0; k < side * side; k++) {
+    const at = 4 * ((y0 + Math.floor(k / side)) * picture.width + x0 + (k % side));
+    const alpha = picture.data[at + 3] ?? 0;
+    red += (picture.data[at] ?? 0) * alpha;
+    green += (picture.data[at + 1] ?? 0) * alpha;
+    blue += (picture.data[at + 2] ?? 0) * alpha;
+    opaque += alpha;
+  }
+  const share = opaque > 0 ? 1 / opaque : 0;
+  return [red * share, green * share, blue * share, opaque / (side * side)];
 }
