@@ -15,7 +15,7 @@ namespace {
 
 using lattice::Vec3;
 
-int nearestNode(const FrameModel& model, const GroundPoint& point) {
+int nearestNode(const FrameModel& model, const Foot& point) {
   const std::vector<int>& nodes = model.nodesOfPart[static_cast<std::size_t>(point.part)];
   const Vec3 at = kMillimetresPerModule * point.at;
   return *std::min_element(nodes.begin(), nodes.end(), [&](int a, int b) {
@@ -113,7 +113,7 @@ void addGround(const Scene& scene, FrameModel& model) {
   turnWeights(model.frame, rest.up);
   const Vec3 other = std::abs(rest.up.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 y = lattice::normalized(lattice::cross(rest.up, other));
-  for (const GroundPoint& point : rest.feet) {
+  for (const Foot& point : rest.feet) {
     FrameSpring contact;
     contact.a = nearestNode(model, point);
     contact.at = kMillimetresPerModule * point.at;

@@ -21,7 +21,7 @@ constexpr double kSame = 1e-6;   // modules
 
 //! A point of the surface, and whether it counts where its face lies flat: four of eight do.
 struct SurfacePoint {
-  GroundPoint point;
+  Foot point;
   Vec3 axis;
   bool corner = true;
 };
@@ -78,18 +78,18 @@ std::vector<SurfacePoint> surfaceOf(const Scene& scene) {
   return points;
 }
 
-std::vector<GroundPoint> feetOf(const std::vector<SurfacePoint>& surface, Vec3 up) {
+std::vector<Foot> feetOf(const std::vector<SurfacePoint>& surface, Vec3 up) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const SurfacePoint& s : surface) {
     lowest = std::min(lowest, lattice::dot(s.point.at, up));
   }
-  std::vector<GroundPoint> feet;
+  std::vector<Foot> feet;
   for (const SurfacePoint& s : surface) {
     const bool flat = std::abs(lattice::dot(s.axis, up)) > kFlat;
     if (lattice::dot(s.point.at, up) > lowest + kGroundTolerance || (flat && !s.corner)) {
       continue;
     }
-    const auto isSame = [&](const GroundPoint& other) {
+    const auto isSame = [&](const Foot& other) {
       return other.part == s.point.part && lattice::length(other.at - s.point.at) < kSame;
     };
     if (std::none_of(feet.begin(), feet.end(), isSame)) {
@@ -109,11 +109,11 @@ Vec3 nearestOn(Vec3 a, Vec3 b, Vec3 p, Vec3 up) {
 }
 
 //! Feet on the rim of their convex hull, in order around it (Andrew's monotone chain).
-std::vector<Vec3> hullOf(const std::vector<GroundPoint>& feet, Vec3 up) {
+std::vector<Vec3> hullOf(const std::vector<Foot>& feet, Vec3 up) {
   const Vec3 e1 = across(up);
   const Vec3 e2 = lattice::cross(up, e1);
   std::vector<std::tuple<double, double, Vec3>> flat;
-  for (const GroundPoint& foot : feet) {
+  for (const Foot& foot : feet) {
     flat.emplace_back(lattice::dot(foot.at, e1), lattice::dot(foot.at, e2), foot.at);
   }
   std::sort(flat.begin(), flat.end(), [](const auto& a, const auto& b) {

@@ -7,7 +7,7 @@
 namespace liftarm::analysis {
 
 //! \brief A point of a part that touches the ground.
-struct GroundPoint {
+struct Foot {
   int part = -1;
   lattice::Vec3 at;  //!< world, modules
 };
@@ -16,7 +16,7 @@ struct GroundPoint {
 struct Rest {
   lattice::Vec3 up{0, 0, 1};  //!< away from the table, in the model's own axes
   double tilt = 0.0;          //!< degrees between that and the drawing's z
-  std::vector<GroundPoint> feet;
+  std::vector<Foot> feet;
 };
 
 //! Points this little above the table rest on it too, modules: beams laid flat reach 0.5 below

@@ -67,6 +67,7 @@ base::Result<std::string> analyseStressJson(std::string_view modelJson,
 
 //! \brief A model in another format. \param format "mpd", "parts.csv" (Rebrickable), "wanted.xml"
 //! (BrickLink), "spreadsheet.csv", or "assembly.json" (planAssemblyJson).
+//! Also "inp" (CalculiX) and "apdl" (ANSYS): the frame of stress_deck.h.
 base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format);
 
 }  // namespace liftarm::design

@@ -1,4 +1,5 @@
 #include "design/design_session.h"
+#include "design/stress_deck.h"
 #include "exporters/ldraw.h"
 #include "exporters/parts_list.h"
 #include "exporters/spreadsheet.h"
@@ -27,10 +28,13 @@ base::Result<std::string> exportModel(std::string_view modelJson, std::string_vi
   if (format == "spreadsheet.csv") {
     return exporters::writeSpreadsheet(model.value(), parts::Catalogue::builtIn());
   }
-  return base::Error{
-      base::Status::kInvalidInput,
-      "format: \"" + std::string(format) +
-          "\" is not known; use mpd, parts.csv, wanted.xml, spreadsheet.csv or assembly.json"};
+  if (format == "inp" || format == "apdl") {
+    return writeStressDeck(model.value(), std::string(format));
+  }
+  return base::Error{base::Status::kInvalidInput,
+                     "format: \"" + std::string(format) +
+                         "\" is not known; use mpd, parts.csv, wanted.xml, spreadsheet.csv, "
+                         "assembly.json, inp or apdl"};
 }
 
 }  // namespace liftarm::design

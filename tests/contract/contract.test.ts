@@ -27,6 +27,8 @@ const FORMATS: Record<ExportFormat, RegExp> = {
   'wanted.xml': /^<INVENTORY>/,
   'spreadsheet.csv': /^Name,Number,/,
   'assembly.json': /"assemblable"/,
+  inp: /^\*HEADING/,
+  apdl: /\/PREP7/,
 };
 
 const typesOf = (value: object) =>

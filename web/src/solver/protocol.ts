@@ -42,7 +42,10 @@ export type ExportFormat =
   | 'wanted.xml'
   | 'spreadsheet.csv'
   /** The building sequence (instructions/assembly-plan.ts). */
-  | 'assembly.json';
+  | 'assembly.json'
+  /** The frame for CalculiX and for ANSYS. */
+  | 'inp'
+  | 'apdl';
 
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */
