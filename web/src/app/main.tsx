@@ -13,6 +13,7 @@ import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
 import { text } from '../ui/text.ts';
+import { Thumbnails } from '../view/still/thumbnails.ts';
 import '../../styles/tokens.css';
 import '../../styles/base.css';
 import '../../styles/layout.css';
@@ -21,6 +22,7 @@ import '../../styles/inspect.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';
 import '../../styles/rooms.css';
+import '../../styles/search.css';
 import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
@@ -62,6 +64,7 @@ async function fetchJson(path: string): Promise<unknown> {
 
 function pageOf(controller: PageController): Page {
   const { state, toaster, scene } = controller;
+  const thumbnails = new Thumbnails(state.catalogue);
   return {
     ...state,
     commands: commandTable(controller),
@@ -84,8 +87,11 @@ function pageOf(controller: PageController): Page {
     openExample: controller.openExample,
     openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
+    importOwned: controller.files.importOwned,
+    partPicture: (id) => thumbnails.picture(id),
     cutAlong: controller.cutAlong,
     showPlace: controller.showPlace,
+    showLayout: controller.showLayout,
     mend: controller.mend,
     confirmMirror: controller.confirmMirror,
     dropSymmetry: controller.dropSymmetry,

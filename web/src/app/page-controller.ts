@@ -1,6 +1,7 @@
 import { effect, signal } from '@preact/signals';
 import type { MirrorPlane } from '../geometry/mirrors.ts';
 import { modelBounds } from '../model/bounds.ts';
+import { brickSetSettings } from '../model/brick-set.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
 import type { AxisName, Vec3 } from '../model/vec.ts';
@@ -14,7 +15,7 @@ import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
-import type { Example } from '../ui/page.ts';
+import type { Example, LayoutSnapshot } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
@@ -225,6 +226,10 @@ export class PageController implements Actions {
     this.run.start(sketch, settingsOf(this.state.preferences.value)).catch(() => undefined);
   };
 
+  readonly showLayout = (layout: LayoutSnapshot): void => {
+    this.run.showLayout(layout).catch(() => undefined);
+  };
+
   readonly cancel = (): void => this.run.cancel();
 
   // --- View ----------------------------------------------------------------------------------
@@ -303,7 +308,13 @@ export class PageController implements Actions {
   }
 }
 
-function settingsOf(preferences: Preferences): SolveSettings {
-  const { seed, preset, advanced } = preferences;
-  return { seed, preset, set: parseAdvanced(advanced) };
+/** What the search is asked for. What stands under "advanced" wins over everything else. */
+export function settingsOf(preferences: Preferences): SolveSettings {
+  const { seed, preset, effort, off, advanced } = preferences;
+  const set = {
+    ...(effort === 1 ? {} : { effort }),
+    ...brickSetSettings(new Set(off)),
+    ...parseAdvanced(advanced),
+  };
+  return { seed, preset, set };
 }

@@ -1,3 +1,5 @@
+import { SET_PARTS } from '../model/brick-set.ts';
+import { readPartsList } from '../model/parts-list.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
 import type { SolverClient } from '../solver/client.ts';
@@ -45,18 +47,30 @@ export class PageFiles {
     this.#context = context;
   }
 
-  readonly chooseFile = (): void => {
-    const input = document.createElement('input');
-    input.type = 'file';
-    input.accept = '.json,application/json';
-    input.onchange = () => {
-      const file = input.files?.[0];
-      if (file) {
-        this.openFile(file);
-      }
-    };
-    input.click();
+  readonly chooseFile = (): void => chooseOne('.json,application/json', this.openFile);
+
+  /** Reads a list of owned parts that a person chooses. */
+  readonly importOwned = (): void => {
+    chooseOne('.csv,.txt,.tsv,text/csv,text/plain', (file) => {
+      file.text().then(
+        (content) => this.#takeOwned(file.name, content),
+        () => this.#refuse(file.name, text.files.unreadable),
+      );
+    });
   };
+
+  #takeOwned(name: string, content: string): void {
+    const list = readPartsList(content);
+    if (!list.ok) {
+      this.#refuse(name, list.message);
+      return;
+    }
+    const { preferences } = this.#context.state;
+    const known = SET_PARTS.map((id): [string, number] => [id, list.value.get(id) ?? 0]);
+    preferences.value = { ...preferences.value, owned: Object.fromEntries(known) };
+    const n = known.filter(([, count]) => count > 0).length;
+    this.#context.toaster.info(fillWords(text.bricks.imported, { n, name }));
+  }
 
   readonly openFile = (file: File): void => {
     this.#context.toaster.clearErrors();
@@ -172,4 +186,18 @@ export class PageFiles {
   #title(): string {
     return this.#context.state.store.sketch.value.name ?? '';
   }
+}
+
+/** Lets a person choose one file. */
+function chooseOne(accept: string, take: (file: File) => void): void {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = accept;
+  input.onchange = () => {
+    const file = input.files?.[0];
+    if (file) {
+      take(file);
+    }
+  };
+  input.click();
 }

@@ -24,7 +24,8 @@ export class SceneBridge implements PointerTarget {
   readonly webglMissing = signal(false);
   #view: SceneView | null = null;
   #canvas: HTMLCanvasElement | null = null;
-  readonly #label = new SceneLabel();
+  /** Made with the scene: it needs a document. */
+  #label: SceneLabel | null = null;
   #coarse = false;
   #nextInterim = 0;
   #lastModel: Model | null = null;
@@ -55,7 +56,9 @@ export class SceneBridge implements PointerTarget {
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', text.app.drawing);
     canvas.setAttribute('aria-describedby', 'drawing-help');
-    host.append(canvas, this.#label.element);
+    const label = new SceneLabel();
+    host.append(canvas, label.element);
+    this.#label = label;
     this.#canvas = canvas;
     // Before the view: its controls must find the navigation that fits the press.
     const feed = new PointerFeed(host, canvas, this);
@@ -74,7 +77,7 @@ export class SceneBridge implements PointerTarget {
       this.#view?.dispose();
       this.#view = null;
       canvas.remove();
-      this.#label.element.remove();
+      label.element.remove();
     };
   }
 
@@ -225,14 +228,14 @@ export class SceneBridge implements PointerTarget {
     const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
     this.#view?.setGuidePlane(plane, overlay.cursor);
     this.#view?.setPreview(overlay.preview);
-    this.#label.set(overlay.label);
+    this.#label?.set(overlay.label);
     this.#placeLabel();
   }
 
   #placeLabel(): void {
     const view = this.#view;
     if (view) {
-      this.#label.place((at) => view.project(at));
+      this.#label?.place((at) => view.project(at));
     }
   }
 

@@ -10,6 +10,12 @@ export interface Preferences {
   readonly autoSolve: boolean;
   readonly preset: string;
   readonly seed: number;
+  /** How long to search, as a multiple of what is usual. */
+  readonly effort: number;
+  /** Parts that the search must not use. */
+  readonly off: readonly string[];
+  /** How many there are of each part; parts that are not counted are plenty. */
+  readonly owned: Readonly<Record<string, number>>;
   /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
   readonly advanced: string;
   readonly show: 'sketch' | 'both' | 'model';
@@ -23,6 +29,9 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   autoSolve: true,
   preset: 'simple',
   seed: 1,
+  effort: 1,
+  off: [],
+  owned: {},
   advanced: '',
   show: 'both',
   colourBy: 'part',
@@ -36,6 +45,9 @@ const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean 
   autoSolve: (value) => typeof value === 'boolean',
   preset: (value) => typeof value === 'string' && value.length < 60,
   seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
+  effort: (value) => typeof value === 'number' && value >= 0.01 && value <= 100,
+  off: (value) => Array.isArray(value) && value.length < 200 && value.every(isPartNumber),
+  owned: isCounts,
   advanced: (value) => typeof value === 'string' && value.length < 4000,
   show: oneOf('sketch', 'both', 'model'),
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
@@ -102,4 +114,18 @@ function typedValue(text: string): number | string | boolean {
 
 function oneOf(...allowed: readonly string[]): (value: unknown) => boolean {
   return (value) => typeof value === 'string' && allowed.includes(value);
+}
+
+function isPartNumber(value: unknown): boolean {
+  return typeof value === 'string' && /^[\w-]{1,20}$/.test(value);
+}
+
+function isCounts(value: unknown): boolean {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    return false;
+  }
+  const entries = Object.entries(value);
+  const good = ([id, count]: [string, unknown]) =>
+    isPartNumber(id) && Number.isInteger(count) && Number(count) >= 0;
+  return entries.length < 500 && entries.every(good);
 }

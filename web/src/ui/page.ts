@@ -20,9 +20,15 @@ import type { CommandTable } from './command.ts';
 export type SolvePhase = 'idle' | 'solving' | 'solved' | 'cancelled' | 'refused' | 'failed';
 
 /** One point of the chart. */
-export interface ChartPoint {
-  readonly iterations: number;
-  readonly objective: number;
+export type ChartPoint = Pick<
+  SolveProgress,
+  'iterations' | 'objective' | 'temperature' | 'beams' | 'gaps' | 'collisions' | 'failedConnections'
+>;
+
+/** A layout that was the best for a while. */
+export interface LayoutSnapshot extends ChartPoint {
+  /** The model file of it. */
+  readonly json: string;
 }
 
 /** What the solve section shows. */
@@ -30,6 +36,8 @@ export interface SolveState {
   readonly phase: SolvePhase;
   readonly progress: SolveProgress | null;
   readonly chart: readonly ChartPoint[];
+  /** The best layouts so far, the newest last; see MAX_LAYOUTS. */
+  readonly layouts: readonly LayoutSnapshot[];
   /** One sentence for `refused`, `failed` and `cancelled`. */
   readonly message: string;
 }
@@ -91,7 +99,7 @@ export interface Toast {
   readonly message: string;
 }
 
-export type DialogName = 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
+export type DialogName = 'bricks' | 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
 
 /** The sketches that this browser keeps. */
 export interface SketchLibraryPage {
@@ -160,10 +168,16 @@ export interface Page {
   openExample(example: Example): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
+  /** Lets a person choose a list of the parts that there are. */
+  importOwned(): void;
+  /** Address of a picture of a part. Rejects without WebGL. */
+  partPicture(id: string): Promise<string>;
   /** Cuts the model open in its middle; null closes it. */
   cutAlong(axis: AxisName | null): void;
   /** Brings a place to the middle of the picture. */
   showPlace(at: Vec3): void;
+  /** Shows an earlier layout of the last search. */
+  showLayout(layout: LayoutSnapshot): void;
   mend(fault: SketchFault): void;
   confirmMirror(plane: MirrorPlane): void;
   dropSymmetry(index: number): void;

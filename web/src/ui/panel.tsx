@@ -1,6 +1,9 @@
+import { shortages } from '../model/brick-set.ts';
+import { fillWords } from '../tools/tool-words.ts';
 import { ChecksSection } from './checks/checks-section.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
+import { LayoutList } from './layout-list.tsx';
 import type { PartRow, ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
 import { ProgressChart } from './progress-chart.tsx';
@@ -51,6 +54,7 @@ function SearchChart() {
   return (
     <Section title={text.solve.search}>
       <ProgressChart points={chart} />
+      <LayoutList />
     </Section>
   );
 }
@@ -67,6 +71,7 @@ function Downloads() {
 }
 
 function Parts({ result }: { readonly result: ResultState }) {
+  const short = shortages(result.rows, usePage().preferences.value.owned);
   return (
     <Section title={text.result.parts} note={plural(result.bricks, 'brick')} open={true}>
       <table class="parts">
@@ -79,7 +84,7 @@ function Parts({ result }: { readonly result: ResultState }) {
         </thead>
         <tbody>
           {result.rows.map((row) => (
-            <PartLine key={`${row.part}/${row.color}`} row={row} />
+            <PartLine key={`${row.part}/${row.color}`} row={row} short={short.get(row.part) ?? 0} />
           ))}
         </tbody>
       </table>
@@ -87,7 +92,8 @@ function Parts({ result }: { readonly result: ResultState }) {
   );
 }
 
-function PartLine({ row }: { readonly row: PartRow }) {
+function PartLine(props: { readonly row: PartRow; readonly short: number }) {
+  const { row, short } = props;
   const hovered = usePage().hoveredPart.value === row.part;
   return (
     <tr class={hovered ? 'hovered' : ''}>
@@ -98,6 +104,9 @@ function PartLine({ row }: { readonly row: PartRow }) {
       </td>
       <td>
         {row.name} <span class="quiet">{row.part}</span>
+        {short > 0 ? (
+          <strong class="short">{fillWords(text.bricks.short, { n: short })}</strong>
+        ) : null}
       </td>
     </tr>
   );

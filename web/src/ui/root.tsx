@@ -1,4 +1,5 @@
 import { About } from './about.tsx';
+import { BrickSet } from './brick-set.tsx';
 import { Examples } from './examples.tsx';
 import { Help } from './help.tsx';
 import type { Page } from './page.ts';
@@ -63,6 +64,8 @@ function Dialogs() {
       return <Examples />;
     case 'sketches':
       return <Sketches />;
+    case 'bricks':
+      return <BrickSet />;
     case 'about':
       return <About />;
     case null:

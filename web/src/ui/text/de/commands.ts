@@ -43,6 +43,7 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     generate: 'Modell erzeugen',
     cancel: 'Abbrechen',
     autoSolve: 'Nach jeder Änderung erzeugen',
+    bricks: 'Teilesatz …',
     newSeed: 'Anderen Startwert versuchen',
     planeAuto: 'Ebene: nach der Ansicht',
     planeXY: 'Ebene: waagrecht (XY)',

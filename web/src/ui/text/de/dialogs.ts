@@ -8,6 +8,17 @@ export const DIALOGS_DE: Words<typeof DIALOGS_EN> = {
     lines: '{n} Linien',
     missing: 'Die Beispiele ließen sich nicht laden.',
   },
+  bricks: {
+    title: 'Teilesatz',
+    text: 'Ausgeschaltete Teile werden nicht verwendet. Mit Anzahlen sagt die Teileliste, was fehlt.',
+    import: 'Teileliste öffnen …',
+    reset: 'Alle Teile, ohne Anzahl',
+    owned: 'Vorhanden',
+    ownedOf: 'Wie viele von {name} da sind',
+    needed: 'Immer nötig: Linien in einer Flucht werden damit verbunden.',
+    imported: '{n} Arten von Teilen aus {name} übernommen.',
+    short: '{n} fehlen',
+  },
   sketches: {
     title: 'Meine Skizzen',
     text: 'In diesem Browser aufbewahrt. Nichts wird hochgeladen.',

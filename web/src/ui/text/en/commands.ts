@@ -42,6 +42,7 @@ export const COMMANDS_EN = {
     generate: 'Generate the model',
     cancel: 'Cancel',
     autoSolve: 'Generate after each edit',
+    bricks: 'Brick set…',
     newSeed: 'Try another seed',
     planeAuto: 'Plane: choose by the view',
     planeXY: 'Plane: level (XY)',

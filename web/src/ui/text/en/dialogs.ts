@@ -7,6 +7,17 @@ export const DIALOGS_EN = {
     lines: '{n} lines',
     missing: 'The examples could not be loaded.',
   },
+  bricks: {
+    title: 'Brick set',
+    text: 'Parts that are off are not used. With counts, the parts list says what is missing.',
+    import: 'Open a parts list…',
+    reset: 'All parts, no counts',
+    owned: 'Owned',
+    ownedOf: 'How many of {name} there are',
+    needed: 'Always needed: lines in a row are pinned with it.',
+    imported: '{n} kinds of parts taken from {name}.',
+    short: '{n} missing',
+  },
   sketches: {
     title: 'My sketches',
     text: 'Kept in this browser. Nothing is uploaded.',
