@@ -3,6 +3,7 @@ import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { colourHex, colourName } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
+import { unfitParts } from '../model/fitting-parts.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
@@ -65,6 +66,8 @@ export class PageState {
 
   readonly result: ReadonlySignal<ResultState | null>;
   readonly stale: ReadonlySignal<boolean>;
+  /** Parts of the model that the sketch has left behind: none, some, or all. */
+  readonly unfit: ReadonlySignal<boolean | ReadonlySet<number>>;
   readonly small: ReadonlySignal<boolean>;
   readonly themeName: ReadonlySignal<'light' | 'dark'>;
   /** Where something is wrong in the sketch or in the model made for it. */
@@ -97,6 +100,12 @@ export class PageState {
       return sketch ? searchText(sketch) : null;
     });
     this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    this.unfit = computed(() => {
+      const model = shown.value;
+      return this.stale.value && model?.sketch
+        ? (unfitParts(model.model.parts, model.sketch, store.sketch.value) ?? true)
+        : false;
+    });
     this.small = computed(() => isSmall(store.sketch.value));
     this.themeName = computed(() => {
       const { theme } = preferences.value;

@@ -196,7 +196,7 @@ export class SceneBridge implements PointerTarget {
 
   #showModel(): void {
     const shown = this.#state.shown.value;
-    const dimmed = this.#state.stale.value;
+    const dimmed = this.#state.unfit.value;
     if (shown?.model !== this.#lastModel) {
       this.#lastModel = shown?.model ?? null;
       this.#state.forgetParts();

@@ -18,6 +18,15 @@ export interface PartMarks {
   readonly errors?: ReadonlySet<number>;
 }
 
+/** Paleness of some parts, or of all. */
+interface Fade {
+  /** sRGB. */
+  readonly towards: number;
+  /** 0 to 1. */
+  readonly amount: number;
+  readonly only: true | ReadonlySet<number>;
+}
+
 /** How far an exploded model spreads at most, as a multiple of its size. */
 const EXPLODE_SPREAD = 0.9;
 
@@ -38,7 +47,7 @@ export class ModelLayer {
   /** The model's parts where they stand now: as built, or as the display has them. */
   #parts: readonly PlacedPart[] = [];
   #explode = 0;
-  #fade: { readonly towards: number; readonly amount: number } | null = null;
+  #fade: Fade | null = null;
 
   constructor(library: BrickLibrary, materials: BrickMaterials) {
     this.#library = library;
@@ -79,8 +88,8 @@ export class ModelLayer {
     this.#rebuild();
   }
 
-  /** Mixes all colours towards `towards`; null gives them back. */
-  setFade(fade: { readonly towards: number; readonly amount: number } | null): void {
+  /** Mixes colours towards one; null gives them back. */
+  setFade(fade: Fade | null): void {
     this.#fade = fade;
     this.#paint();
   }
@@ -253,7 +262,7 @@ export class ModelLayer {
     }
     const given = this.#display.colours?.[index] ?? null;
     let hex = given ?? schemeHex(part, this.#scheme, this.#library.catalogue);
-    if (this.#fade) {
+    if (this.#fade && (this.#fade.only === true || this.#fade.only.has(index))) {
       hex = mixHex(hex, this.#fade.towards, this.#fade.amount);
     }
     if (this.#marks.errors?.has(index)) {

@@ -62,7 +62,7 @@ export class SceneView {
   readonly #screen: ScreenSpace;
   readonly #unwatch: () => void;
   #mode: ViewMode = 'both';
-  #dimmed = false;
+  #dimmed: boolean | ReadonlySet<number> = false;
   #frame = 0;
   #contextLost = false;
 
@@ -368,7 +368,8 @@ export class SceneView {
 
   #applyFade(): void {
     const towards = this.#stage.theme.backgroundBottom;
-    this.#model.setFade(this.#dimmed ? { towards, amount: DIM_AMOUNT } : null);
+    const only = this.#dimmed;
+    this.#model.setFade(only === false ? null : { towards, amount: DIM_AMOUNT, only });
   }
 
   /** Floor and light follow what there is to see. */

@@ -163,6 +163,6 @@ export interface Section {
 }
 
 export interface ModelOptions {
-  /** Drawn pale: the model does not fit the sketch any more. */
-  readonly dimmed?: boolean;
+  /** Parts drawn pale because they do not fit the sketch any more: none, some, or all. */
+  readonly dimmed?: boolean | ReadonlySet<number>;
 }

@@ -12,6 +12,8 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     split: 'Linie teilen',
     joint: 'Gelenk',
     keepOut: 'Sperrraum',
+    array: 'Kopien in einer Reihe',
+    measure: 'Messen',
   },
   hints: {
     select: 'Eine Linie anklicken wählt sie aus, Ziehen dreht die Ansicht. Umschalt wählt mehr.',
@@ -33,6 +35,12 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     keepOut: 'Klicken Sie eine Ecke des Raums an, der frei bleiben muss.',
     keepOutNext: 'Klicken Sie die Ecke seiner Grundfläche gegenüber an.',
     keepOutHeight: 'Klicken Sie seine Höhe an, oder tippen Sie sie.',
+    array:
+      'Klicken Sie einen Punkt der Auswahl an; von dort gehen die Kopien aus. Tippen Sie, wie viele ({n}).',
+    arrayNext: 'Klicken Sie an, wo die erste von {n} Kopien liegt, oder tippen Sie, wie viele.',
+    arrayNone: 'Wählen Sie erst Linien aus, dann kopieren Sie sie in einer Reihe.',
+    measure: 'Klicken Sie zwei Punkte an, um dazwischen zu messen.',
+    measureNext: 'Klicken Sie den zweiten Punkt an.',
     empty: 'Zeichnen Sie eine Linie, oder öffnen Sie ein Beispiel.',
   },
   snap: {
@@ -58,6 +66,7 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     cursorAt: 'Zeiger {x}, {y}, {z}',
     placed: 'Punkt {x}, {y}, {z}',
     lineDrawn: 'Linie der Länge {n} gezeichnet, {count} insgesamt',
+    measured: '{n} Module ({mm} mm): {x} längs X, {y} längs Y, {z} längs Z',
     finish: 'Fertig',
     noWholeLength: 'Dort endet keine Linie von ganzer Länge.',
   },
@@ -77,6 +86,7 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     holeAxis: 'Lochachse',
     joint: 'Gelenk',
     keepOut: 'Sperrraum',
+    array: 'Kopien in einer Reihe',
     ground: 'Boden',
     rename: 'Umbenennen',
     open: 'Öffnen',
