@@ -64,6 +64,14 @@ SolverReply checkModelJson(const std::string& modelJson) {
   return toReply(liftarm::design::checkModelJson(modelJson));
 }
 
+SolverReply planAssemblyJson(const std::string& modelJson) {
+  return toReply(liftarm::design::planAssemblyJson(modelJson));
+}
+
+SolverReply analyseStressJson(const std::string& modelJson, const std::string& optionsJson) {
+  return toReply(liftarm::design::analyseStressJson(modelJson, optionsJson));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -82,6 +90,8 @@ EMSCRIPTEN_BINDINGS(liftarm) {
       .function("modelJson", &SolverSession::modelJson)
       .function("reportJson", &SolverSession::reportJson);
   emscripten::function("checkModelJson", &checkModelJson);
+  emscripten::function("planAssemblyJson", &planAssemblyJson);
+  emscripten::function("analyseStressJson", &analyseStressJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }

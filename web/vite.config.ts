@@ -1,8 +1,11 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vitest/config';
+import { contentPolicy, serviceWorker } from './pwa/build-plugin.ts';
 
 const root = import.meta.dirname;
 const top = resolve(root, '..');
+const outDir = resolve(top, process.env['LIFTARM_DIST'] ?? 'dist');
+const wasm = resolve(top, process.env['LIFTARM_WASM'] ?? 'build/wasm');
 
 // Vitest reads the same file (field `test`).
 export default defineConfig({
@@ -11,14 +14,18 @@ export default defineConfig({
   base: './',
   publicDir: resolve(top, 'public'),
   cacheDir: resolve(top, 'node_modules/.vite'),
-  resolve: { alias: { '@wasm': resolve(top, 'build/wasm') } },
+  resolve: { alias: { '@wasm': wasm } },
   worker: { format: 'es' },
+  plugins: [contentPolicy(), serviceWorker(() => outDir)],
   server: { fs: { allow: [top] } },
   build: {
     // three.js alone is more than the default of 500 kB; e2e holds a budget for the whole page.
     chunkSizeWarningLimit: 1200,
-    rolldownOptions: { checks: { pluginTimings: false } },
-    outDir: resolve(top, 'dist'),
+    rolldownOptions: {
+      checks: { pluginTimings: false },
+      input: { index: resolve(root, 'index.html'), embed: resolve(root, 'embed.html') },
+    },
+    outDir,
     emptyOutDir: true,
     target: 'es2022',
     sourcemap: true,

@@ -7,6 +7,7 @@
 #include "analysis/assembly.h"
 #include "analysis/connection_check.h"
 #include "analysis/coverage.h"
+#include "analysis/disassembly.h"
 #include "analysis/interpenetration.h"
 #include "analysis/real_parts.h"
 #include "analysis/scene.h"
@@ -82,6 +83,9 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
       "coverage",
       "Every unit edge of the sketch is covered or bridged",
       checkCoverage(scene, coverage));
+  const ItemResult disassembly = checkDisassembly(scene);
+  report.assemblable = disassembly.problems.empty();
+  add(report, "disassembly", "It can be taken apart, so it can be put together", disassembly);
   report.buildable = report.problems.empty();
 
   countParts(scene, report.counts);

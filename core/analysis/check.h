@@ -30,16 +30,17 @@ struct CheckCounts {
 
 //! \brief What a model is worth.
 struct CheckReport {
-  bool buildable = false;  //!< all items hold
+  bool buildable = false;    //!< all items hold
+  bool assemblable = false;  //!< item 6 holds
   std::vector<CheckItem> items;
   std::vector<Problem> problems;  //!< item by item
   CheckCounts counts;
 };
 
-//! \brief Judges a model by DESIGN 5, items 1 to 5.
+//! \brief Judges a model by DESIGN 5, items 1 to 6.
 //! \details Written against the placed parts alone: shares nothing with the search but the
-//! catalogue. Items 6 (taking apart) and 7 (joints that turn) are not judged here. \param model May
-//! come from any file; its sketch, if it has one, is read for items 2, 4 and 5.
+//! catalogue. Item 7 (joints that turn) is not judged here.
+//! \param model May come from any file; its sketch, if it has one, is read for items 2, 4 and 5.
 CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue);
 
 }  // namespace liftarm::analysis

@@ -32,6 +32,17 @@ struct PrismSupport {
   }
 };
 
+//! The same for all places of a prism on a straight way.
+struct MovedPrismSupport {
+  PrismSupport prism;
+  Vec3 travel;
+
+  Vec3 operator()(Vec3 d) const {
+    const Vec3 p = prism(d);
+    return lattice::dot(d, travel) > 0.0 ? p + travel : p;
+  }
+};
+
 struct BoxSupport {
   const Box& box;
   double inset;
@@ -179,6 +190,12 @@ bool overlap(const Prism& a, const Prism& b, double tolerance) {
     return false;
   }
   return intersect(PrismSupport{a, tolerance / 2}, PrismSupport{b, tolerance / 2}, b.from - a.from);
+}
+
+bool overlapOnTheWay(const Prism& a, Vec3 travel, const Prism& b, double tolerance) {
+  return intersect(MovedPrismSupport{{a, tolerance / 2}, travel},
+                   PrismSupport{b, tolerance / 2},
+                   b.from - a.from);
 }
 
 bool overlap(const Prism& a, const Box& box, double tolerance) {

@@ -14,6 +14,12 @@ namespace liftarm::analysis {
 //! \pre Unit axes; |to - from| is across the axis.
 bool overlap(const parts::Prism& a, const parts::Prism& b, double tolerance);
 
+//! \brief The same for all that the first prism passes on a straight move by `travel` (modules).
+bool overlapOnTheWay(const parts::Prism& a,
+                     lattice::Vec3 travel,
+                     const parts::Prism& b,
+                     double tolerance);
+
 //! \brief The same for a prism and an axis-aligned box.
 bool overlap(const parts::Prism& a, const Box& box, double tolerance);
 

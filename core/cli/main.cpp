@@ -27,7 +27,10 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   solve->add_option("--seed", options.seed, "Seed of the search, a whole number")->type_name("N");
   solve->add_option("--preset", options.preset, "faithful, simple, faithful-rigid or simple-rigid")
       ->type_name("NAME");
-  solve->add_option("--method", options.method, "How to search; default unless you compare methods")
+  solve
+      ->add_option("--method",
+                   options.method,
+                   "How to search: default, or paper (the published method, for comparison)")
       ->type_name("NAME");
   solve
       ->add_option("--set",

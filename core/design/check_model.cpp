@@ -47,6 +47,7 @@ ordered_json reportJson(const std::string& name, const analysis::CheckReport& re
           {"collisions", counts.collisions},
           {"uncovered", counts.uncovered},
           {"failedConnections", counts.failedConnections},
+          {"assemblable", report.assemblable},
           {"mass", rounded(counts.mass)},
           {"size", pointJson(counts.size)},
           {"items", items},

@@ -23,6 +23,21 @@ mechanisms::MechanismTable makeTable(const Settings& settings) {
       mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
 }
 
+//! The search that the settings name.
+std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& problem,
+                                                 layout::ConnectionSolver& solver,
+                                                 const Settings& settings) {
+  if (settings.method == kPaperMethod) {
+    search::PaperOptions options = settings.paper;
+    options.seed = settings.annealing.seed;
+    options.corners = settings.annealing.parts.corners;
+    options.lengths = settings.annealing.lengths;
+    options.weights = settings.annealing.weights;
+    return std::make_unique<search::PaperSearch>(problem, solver, std::move(options));
+  }
+  return std::make_unique<search::Annealer>(problem, solver, settings.annealing);
+}
+
 class Session final : public DesignSession {
  public:
   Session(sketch::Sketch sketch, Settings settings)
@@ -31,39 +46,39 @@ class Session final : public DesignSession {
         table_(makeTable(settings_)),
         solver_(table_),
         problem_(layout::makeLayoutProblem(guide::buildGuidingGraph(sketch_))),
-        annealer_(problem_, solver_, settings_.annealing) {}
+        search_(makeSearch(problem_, solver_, settings_)) {}
 
-  bool advance(std::uint32_t iterations) override { return annealer_.advance(iterations); }
+  bool advance(std::uint32_t iterations) override { return search_->advance(iterations); }
 
   [[nodiscard]] std::string progressJson() const override {
-    const layout::Tallies& t = annealer_.best().tallies;
-    return json{{"done", annealer_.done()},
-                {"phase", annealer_.phase()},
-                {"iterations", annealer_.iterations()},
-                {"fraction", annealer_.fraction()},
-                {"objective", annealer_.best().energy},
-                {"temperature", annealer_.temperature()},
+    const layout::Tallies& t = search_->best().tallies;
+    return json{{"done", search_->done()},
+                {"phase", search_->phase()},
+                {"iterations", search_->iterations()},
+                {"fraction", search_->fraction()},
+                {"objective", search_->best().energy},
+                {"temperature", search_->temperature()},
                 {"beams", t.beams},
                 {"gaps", t.gaps},
                 {"collisions", t.collisions},
                 {"failedConnections", t.failedConnections},
-                {"improvements", annealer_.improvements()}}
+                {"improvements", search_->improvements()}}
         .dump();
   }
 
   [[nodiscard]] std::string modelJson() const override { return model::writeModel(model()); }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport({problem_, settings_, annealer_, sketch_, model()});
+    return makeReport({problem_, settings_, table_, *search_, sketch_, model()});
   }
 
  private:
   [[nodiscard]] model::Model model() const {
     const std::string sketchText = sketch::writeSketch(sketch_);
-    if (annealer_.best().covers.empty()) {
+    if (search_->best().covers.empty()) {
       return {sketch_.name, {}, sketchText};  // asked before the first step
     }
-    return buildModel(problem_, table_, annealer_.best(), sketch_.name, sketchText);
+    return buildModel(problem_, table_, search_->best(), sketch_.name, sketchText);
   }
 
   sketch::Sketch sketch_;
@@ -71,7 +86,7 @@ class Session final : public DesignSession {
   mechanisms::MechanismTable table_;
   layout::ConnectionSolver solver_;
   layout::LayoutProblem problem_;
-  search::Annealer annealer_;
+  std::unique_ptr<search::LayoutSearch> search_;
 };
 
 }  // namespace

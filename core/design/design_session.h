@@ -44,7 +44,30 @@ class DesignSession {
 //! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], ...}.
 base::Result<std::string> checkModelJson(std::string_view modelJson);
 
-//! \brief A model in another format. \param format "mpd" or "parts.csv".
+//! \brief How a model is put together (DESIGN 5.6 reversed), as JSON: {"assemblable": bool,
+//! "groups": [{"id", "parts": all part indices in it, "copies": [[indices of each further copy, in
+//! the same order]], "mirrored": [bool per copy]}], "steps": [{"group", "adds": [{"parts",
+//! "travel", "subgroup": group or null, "via"?, "forced"?}], "stable": bool}], "stuck": [{"parts",
+//! "by", "message"}]}. Group 0 is the whole. `travel` (modules) is the last straight move, which
+//! ends in the place; the moves of `via` come before it, so a part starts at its place - travel -
+//! all of via. `forced`: something is in the way, as `stuck` tells.
+base::Result<std::string> planAssemblyJson(std::string_view modelJson);
+
+//! \brief Stress of a model under its weight and the loads of the options.
+//! \param optionsJson {"friction": "held" | "free" | "locked", "heldStiffness": N mm / rad,
+//! "loads":
+//! [{"at": [x,y,z] in modules, "force": [x,y,z] in N}]}; everything optional.
+//! \return {"ok": true, "message": "", "maxStress": MPa, "safety", "maxDisplacement": mm, "weight":
+//! N, "imbalance", "parts": [{"stress", "safety", "utilisation"} per part], "samples": [per part:
+//! [[x,y,z in modules, stress, dx,dy,dz in mm] ...]], "pins": [{"part", "shear", "safety",
+//! "torque": N mm}], "reactions": [{"at", "force"}]}; or {"ok": false, "message", "moving":
+//! [parts]} where something moves without resistance.
+base::Result<std::string> analyseStressJson(std::string_view modelJson,
+                                            std::string_view optionsJson);
+
+//! \brief A model in another format. \param format "mpd", "parts.csv" (Rebrickable), "wanted.xml"
+//! (BrickLink), "spreadsheet.csv", or "assembly.json" (planAssemblyJson).
+//! Also "inp" (CalculiX) and "apdl" (ANSYS): the frame of stress_deck.h.
 base::Result<std::string> exportModel(std::string_view modelJson, std::string_view format);
 
 }  // namespace liftarm::design

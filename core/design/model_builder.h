@@ -4,7 +4,7 @@
 
 #include "layout/components.h"
 #include "model/model.h"
-#include "search/annealer.h"
+#include "search/layout_search.h"
 
 namespace liftarm::design {
 

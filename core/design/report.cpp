@@ -38,7 +38,7 @@ json problemsJson(const analysis::CheckReport& check) {
 
 //! Places where the search itself knows that it failed; the checks see their effects only.
 void addSearchProblems(const ReportInput& input, json* problems) {
-  const search::LayoutSnapshot& best = input.annealer.best();
+  const search::LayoutSnapshot& best = input.search.best();
   for (std::size_t j = 0; j < best.junctions.size(); ++j) {
     const layout::JunctionState& state = best.junctions[j];
     if (state.violations() == 0) {
@@ -60,10 +60,10 @@ void addSearchProblems(const ReportInput& input, json* problems) {
 
 objective::Measures measuresOf(const ReportInput& input, const layout::Components& components) {
   objective::Measures measures;
-  measures.tallies = input.annealer.best().tallies;
+  measures.tallies = input.search.best().tallies;
   measures.scale = objective::scaleOf(input.problem.graph);
   const guide::GuidingGraph& graph = input.problem.graph;
-  const search::LayoutSnapshot& best = input.annealer.best();
+  const search::LayoutSnapshot& best = input.search.best();
   if (best.covers.empty()) {
     return measures;
   }
@@ -73,15 +73,15 @@ objective::Measures measuresOf(const ReportInput& input, const layout::Component
     groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
   }
   measures.symmetryDeviation = objective::symmetryDeviation(graph, best.covers, groups);
-  measures.rigidSubsets = objective::countRigidSubsets(
-      graph, input.annealer.current().table(), best.covers, best.junctions);
+  measures.rigidSubsets =
+      objective::countRigidSubsets(graph, input.table, best.covers, best.junctions);
   return measures;
 }
 
 }  // namespace
 
 std::string makeReport(const ReportInput& input) {
-  const search::LayoutSnapshot& best = input.annealer.best();
+  const search::LayoutSnapshot& best = input.search.best();
   const layout::Components components =
       best.covers.empty() ? layout::Components{}
                           : layout::findComponents(input.problem.graph, best.covers);
@@ -125,7 +125,7 @@ std::string makeReport(const ReportInput& input) {
       // Not judged yet: null, never a guess.
       {"freedoms", nullptr},
       {"balanced", nullptr},
-      {"assemblable", nullptr},
+      {"assemblable", check.assemblable},
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
@@ -134,7 +134,7 @@ std::string makeReport(const ReportInput& input) {
       {"problems", problems},
       {"objective", rounded(best.energy)},
       {"terms", terms},
-      {"iterations", input.annealer.iterations()}}
+      {"iterations", input.search.iterations()}}
       .dump();
 }
 

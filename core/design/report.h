@@ -5,7 +5,7 @@
 #include "design/settings.h"
 #include "layout/layout.h"
 #include "model/model.h"
-#include "search/annealer.h"
+#include "search/layout_search.h"
 #include "sketch/sketch.h"
 
 namespace liftarm::design {
@@ -14,7 +14,8 @@ namespace liftarm::design {
 struct ReportInput {
   const layout::LayoutProblem& problem;
   const Settings& settings;
-  const search::Annealer& annealer;
+  const mechanisms::MechanismTable& table;
+  const search::LayoutSearch& search;
   const sketch::Sketch& sketch;
   model::Model model;
 };

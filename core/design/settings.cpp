@@ -26,7 +26,7 @@ struct NumberKey {
   void (*apply)(Settings*, double);
 };
 
-constexpr std::array<NumberKey, 6> kNumberKeys{{
+constexpr std::array<NumberKey, 7> kNumberKeys{{
     {"effort",
      0.01,
      100.0,
@@ -62,6 +62,30 @@ constexpr std::array<NumberKey, 6> kNumberKeys{{
      3.0,
      true,
      [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
+    {"paper.coolingRate",
+     0.5,
+     0.999999,
+     false,
+     [](Settings* s, double v) { s->paper.coolingRate = v; }},
+}};
+
+//! A part of the search that can be switched off with 0 (docs/ablations.md).
+struct SwitchKey {
+  std::string_view name;
+  bool search::SearchParts::*part;
+};
+
+constexpr std::array<SwitchKey, 10> kSwitchKeys{{
+    {"search.corners", &search::SearchParts::corners},
+    {"search.focus", &search::SearchParts::focus},
+    {"search.pairs", &search::SearchParts::pairs},
+    {"search.many", &search::SearchParts::many},
+    {"search.turns", &search::SearchParts::turns},
+    {"search.noise", &search::SearchParts::noise},
+    {"search.growth", &search::SearchParts::growth},
+    {"search.walls", &search::SearchParts::walls},
+    {"search.mirrors", &search::SearchParts::mirrors},
+    {"search.costly", &search::SearchParts::costly},
 }};
 
 Error invalid(const std::string& message) {
@@ -148,6 +172,9 @@ std::string knownKeys() {
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
+  for (const SwitchKey& key : kSwitchKeys) {
+    keys += ", " + std::string(key.name);
+  }
   for (const objective::Term& term : objective::kTerms) {
     keys += ", weights." + std::string(term.name);
   }
@@ -169,6 +196,16 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
     if (term) {
       return invalid("set." + key + ": a number from 0 to 1000000 is needed, not " + value.dump());
     }
+  }
+  for (const SwitchKey& known : kSwitchKeys) {
+    if (known.name != key) {
+      continue;
+    }
+    if (number != 0.0 && number != 1.0) {
+      return invalid("set." + key + ": 0 or 1 is needed, not " + value.dump());
+    }
+    settings->annealing.parts.*known.part = number == 1.0;
+    return true;
   }
   for (const NumberKey& known : kNumberKeys) {
     if (known.name != key) {
@@ -203,15 +240,18 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
                        " is none of faithful, simple, faithful-rigid, simple-rigid");
       }
       settings->preset = *preset;
-      settings->annealing.weights = objective::searchWeights(*preset);
     } else if (key == "method") {
-      if (textOf(value) != "default") {
-        return invalid("method: " + textOf(value) + " is unknown; use default");
+      if (textOf(value) != kDefaultMethod && textOf(value) != kPaperMethod) {
+        return invalid("method: " + textOf(value) + " is unknown; use default or paper");
       }
+      settings->method = textOf(value);
     } else if (key != "set") {
       return invalid("settings: no such key " + key + "; known are seed, preset, method, set");
     }
   }
+  settings->annealing.weights = settings->method == kPaperMethod
+                                    ? objective::paperWeights(settings->preset)
+                                    : objective::searchWeights(settings->preset);
   return true;
 }
 
@@ -250,6 +290,10 @@ std::string settingsJson(const Settings& settings) {
     weights[std::string(objective::kTerms[i].name)] = settings.annealing.weights[i];
   }
   const search::AnnealingOptions& a = settings.annealing;
+  json parts = json::object();
+  for (const SwitchKey& key : kSwitchKeys) {
+    parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
+  }
   return json{{"seed", a.seed},
               {"preset", std::string(objective::nameOf(settings.preset))},
               {"method", settings.method},
@@ -260,6 +304,8 @@ std::string settingsJson(const Settings& settings) {
               {"mechanismParts", settings.mechanismParts},
               {"lengths", a.lengths},
               {"connectors", settings.connectors},
+              {"paper.coolingRate", settings.paper.coolingRate},
+              {"search", parts},
               {"weights", weights}}
       .dump();
 }

@@ -8,14 +8,19 @@
 #include "base/status.h"
 #include "objective/objective.h"
 #include "search/annealer.h"
+#include "search/paper_search.h"
 
 namespace liftarm::design {
+
+inline constexpr std::string_view kDefaultMethod = "default";
+inline constexpr std::string_view kPaperMethod = "paper";
 
 //! \brief What a person may set. The defaults serve every sketch (DESIGN 7).
 struct Settings {
   objective::Preset preset = objective::Preset::kSimple;
   std::string method = "default";
   search::AnnealingOptions annealing;
+  search::PaperOptions paper;  //!< of method "paper"; what both have is taken from `annealing`
   // 15100 is left out: with it the cheapest corner takes the room that the next one needs (picker
   // found a layout for 1 of 5 seeds instead of 5).
   std::vector<std::string> connectors{"2780", "6558", "87082", "48989", "55615"};
@@ -25,7 +30,8 @@ struct Settings {
 //! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.
 //! \details Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual number of
 //! iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`, `mechanismParts`,
-//! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082").
+//! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper),
+//! and `search.PART`, 1 or 0 (search/annealer.h, SearchParts).
 //! \return The settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);
 

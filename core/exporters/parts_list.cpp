@@ -4,6 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "exporters/wanted_list.h"
+
 namespace liftarm::exporters {
 
 std::vector<PartCount> countParts(const model::Model& model) {
@@ -29,7 +31,9 @@ std::string writePartsCsv(const model::Model& model) {
     for (const char c : entry.part) {
       part += c == ',' || c == '"' || static_cast<unsigned char>(c) < 0x20 ? '_' : c;
     }
-    text += part + "," + std::to_string(entry.color) + "," + std::to_string(entry.count) + "\n";
+    const ColourIds* ids = findColourIds(entry.color);
+    const int colour = ids != nullptr ? ids->rebrickable : entry.color;
+    text += part + "," + std::to_string(colour) + "," + std::to_string(entry.count) + "\n";
   }
   return text;
 }

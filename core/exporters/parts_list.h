@@ -17,8 +17,8 @@ struct PartCount {
 //! \brief What a model is built from, most frequent first, then by number and colour.
 std::vector<PartCount> countParts(const model::Model& model);
 
-//! \brief The parts list that Rebrickable reads: `Part,Color,Quantity`. Its part and colour numbers
-//! are LDraw's for all parts and colours of the catalogue.
+//! \brief The parts list that Rebrickable reads: `Part,Color,Quantity`. Its part numbers
+//! are LDraw's for all parts of the catalogue; its colour numbers stand in wanted_list_colours.cpp.
 std::string writePartsCsv(const model::Model& model);
 
 }  // namespace liftarm::exporters

@@ -91,7 +91,7 @@ void Annealer::start() {
   }
   const guide::LayerField field = guide::makeLayerField(problem_->graph, orientation, &rng_);
   for (int r = 0; r < runs; ++r) {
-    coverer_.setPreferred(&field[at(r)]);
+    coverer_.setPreferred(options_.parts.walls ? &field[at(r)] : nullptr);
     if (auto cover = coverer_.propose(layout_, r, orientation[at(r)], 0.5, &rng_)) {
       layout_.setCover(r, std::move(*cover));
     }
@@ -178,7 +178,8 @@ bool Annealer::advance(std::uint32_t iterations) {
     }
     move();
     ++iteration_;
-    if (layout_.tallies().violations() > 0 && iteration_ - lastChange_ > kPatience) {
+    if (options_.parts.growth && layout_.tallies().violations() > 0 &&
+        iteration_ - lastChange_ > kPatience) {
       raiseWeights();
       lastChange_ = iteration_;
     }

@@ -6,9 +6,25 @@
 #include "base/rng.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
+#include "search/layout_search.h"
 #include "search/run_coverer.h"
 
 namespace liftarm::search {
+
+//! \brief Parts of the search that can be switched off, to see what each is worth
+//! (docs/ablations.md).
+struct SearchParts {
+  bool corners = true;  //!< L beams
+  bool focus = true;    //!< most moves at violated places
+  bool pairs = true;    //!< moves that cover two runs anew
+  bool many = true;     //!< ruin and recreate of several runs
+  bool turns = true;    //!< moves that turn a run's hole axis
+  bool noise = true;    //!< random amounts on the costs of a cover
+  bool growth = true;   //!< violations that stay gain weight
+  bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
+  bool mirrors = true;  //!< moves that mirror a run's layers
+  bool costly = true;   //!< moves at runs with more beams than they need
+};
 
 struct AnnealingOptions {
   std::uint64_t seed = 1;
@@ -18,24 +34,16 @@ struct AnnealingOptions {
   std::uint32_t iterationsPerRun = 120;
   std::uint32_t minIterations = 1500;
   std::uint32_t maxRounds = 6;  //!< further rounds while no layout without violations was found
-  bool corners = true;          //!< whether L beams may be used
+  SearchParts parts;
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
-};
-
-//! \brief A whole layout as it can be kept and put back.
-struct LayoutSnapshot {
-  std::vector<layout::Cover> covers;
-  std::vector<layout::JunctionState> junctions;
-  layout::Tallies tallies;
-  double energy = 0.0;
 };
 
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
 //! anew and exactly (RunCoverer), and joins what it touched anew (ConnectionSolver). \details Where
 //! violations stay, their places gain weight until the search leaves them (as breakout local search
 //! does); the best layout is kept by (violations, energy). Stepped and deterministic.
-class Annealer {
+class Annealer final : public LayoutSearch {
  public:
   //! \pre problem and solver outlive the annealer.
   Annealer(const layout::LayoutProblem& problem,
@@ -43,22 +51,22 @@ class Annealer {
            AnnealingOptions options);
 
   //! \brief At most `iterations` moves. \return True when the search has ended.
-  bool advance(std::uint32_t iterations);
+  bool advance(std::uint32_t iterations) override;
 
-  [[nodiscard]] bool done() const { return done_; }
+  [[nodiscard]] bool done() const override { return done_; }
 
-  [[nodiscard]] const LayoutSnapshot& best() const { return best_; }
+  [[nodiscard]] const LayoutSnapshot& best() const override { return best_; }
 
-  [[nodiscard]] std::uint32_t improvements() const { return improvements_; }
+  [[nodiscard]] std::uint32_t improvements() const override { return improvements_; }
 
-  [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
+  [[nodiscard]] std::uint64_t iterations() const override { return iteration_; }
 
-  [[nodiscard]] double temperature() const { return temperature_; }
+  [[nodiscard]] double temperature() const override { return temperature_; }
 
-  [[nodiscard]] double fraction() const;
+  [[nodiscard]] double fraction() const override;
 
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
-  [[nodiscard]] const char* phase() const;
+  [[nodiscard]] const char* phase() const override;
 
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 

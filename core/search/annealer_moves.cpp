@@ -58,8 +58,9 @@ std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, i
 int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
   site_ = -1;
-  if (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation) {
-    const int costly = rng_.unit() < kPickCostly ? pickCostlyRun() : -1;
+  if (!options_.parts.focus || layout_.tallies().violations() == 0 ||
+      rng_.unit() >= kPickViolation) {
+    const int costly = options_.parts.costly && rng_.unit() < kPickCostly ? pickCostlyRun() : -1;
     if (costly >= 0) {
       return costly;
     }
@@ -147,7 +148,7 @@ bool Annealer::recover(int run, double noise) {
   if (!arms.empty() && rng_.unit() < kStraighten) {
     return straighten(run, noise);
   }
-  if (arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+  if (options_.parts.turns && arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
     axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
   }
   return coverRun(run, axis, noise, arms);
@@ -293,12 +294,13 @@ bool Annealer::mirror(int run, double noise) {
 
 void Annealer::move() {
   const int run = pickRun();
-  const double noise = kMostNoise * rng_.unit();
+  const SearchParts& parts = options_.parts;
+  const double noise = parts.noise ? kMostNoise * rng_.unit() : 0.0;
   coverer_.setReach(rng_.unit() < kNearLayers ? 1
                                               : (rng_.unit() < kMoreLayers ? 2 : guide::kMaxLayer));
-  const bool many = layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
-  const bool corner = !many && options_.corners && rng_.unit() < kPickBend;
-  const bool mirrored = !many && !corner && rng_.unit() < kPickMirror;
+  const bool many = parts.many && layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
+  const bool corner = !many && parts.corners && rng_.unit() < kPickBend;
+  const bool mirrored = !many && !corner && parts.mirrors && rng_.unit() < kPickMirror;
   bool changed = false;
   if (many) {
     changed = recoverMany(run, noise);
@@ -308,7 +310,7 @@ void Annealer::move() {
     changed = bend(run, noise);
   } else {
     changed = recover(run, noise);
-    const int partner = rng_.unit() < kPickTwo ? pickPartner(run) : -1;
+    const int partner = parts.pairs && rng_.unit() < kPickTwo ? pickPartner(run) : -1;
     changed = (partner >= 0 && recover(partner, noise)) || changed;
   }
   if (!changed) {

@@ -21,7 +21,15 @@ const PROGRESS: SolveProgress = {
 };
 
 /** Each format of the type: one that is missing here does not compile. */
-const FORMATS: Record<ExportFormat, RegExp> = { mpd: /^0 FILE /, 'parts.csv': /^Part,Color,/ };
+const FORMATS: Record<ExportFormat, RegExp> = {
+  mpd: /^0 FILE /,
+  'parts.csv': /^Part,Color,/,
+  'wanted.xml': /^<INVENTORY>/,
+  'spreadsheet.csv': /^Name,Number,/,
+  'assembly.json': /"assemblable"/,
+  inp: /^\*HEADING/,
+  apdl: /\/PREP7/,
+};
 
 const typesOf = (value: object) =>
   Object.fromEntries(Object.entries(value).map(([key, field]) => [key, typeof field]));

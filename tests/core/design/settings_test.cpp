@@ -54,6 +54,9 @@ INSTANTIATE_TEST_SUITE_P(
                       BadSettings{R"({"set": {"startTemperature": 0}})", "set.startTemperature"},
                       BadSettings{R"({"set": {"endTemperature": "hot"}})", "set.endTemperature"},
                       BadSettings{R"({"set": {"mechanismParts": 4}})", "set.mechanismParts"},
+                      BadSettings{R"({"set": {"search.many": 2}})", "search.many"},
+                      BadSettings{R"({"set": {"search.none": 1}})", "search.none"},
+                      BadSettings{R"({"set": {"paper.coolingRate": 1}})", "paper.coolingRate"},
                       BadSettings{R"({"set": {"lengths": "2,4"}})", "4"},
                       BadSettings{R"({"set": {"lengths": ""}})", "set.lengths"},
                       BadSettings{R"({"set": {"lengths": "two"}})", "two"},
@@ -100,6 +103,21 @@ TEST(Settings, KeepAWeightThatIsSetBesideAPreset) {
       readSettings(R"({"set": {"weights.beams": 3}, "preset": "faithful"})");
   ASSERT_TRUE(settings.ok());
   EXPECT_EQ(settings.value().annealing.weights[*objective::termIndex("beams")], 3.0);
+}
+
+TEST(Settings, OfThePaperTakeItsWeightsWhateverTheOrder) {
+  const base::Result<Settings> settings =
+      readSettings(R"({"preset": "faithful", "method": "paper"})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_EQ(settings.value().annealing.weights,
+            objective::paperWeights(objective::Preset::kFaithful));
+}
+
+TEST(Settings, SwitchOffAPartOfTheSearch) {
+  const base::Result<Settings> settings = readSettings(R"({"set": {"search.many": "0"}})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_FALSE(settings.value().annealing.parts.many);
+  EXPECT_TRUE(settings.value().annealing.parts.focus);
 }
 
 TEST(Settings, SortTheLengths) {

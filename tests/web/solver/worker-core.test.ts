@@ -52,6 +52,8 @@ function countingModule(steps: number) {
     SolverSession: Session,
     checkModelJson: (text) =>
       text === 'bad' ? { status: 'invalidInput', text: 'no model' } : { status: 'ok', text },
+    planAssemblyJson: (text) => ({ status: 'ok', text }),
+    analyseStressJson: (text, options) => ({ status: 'ok', text: `${text} under ${options}` }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',
   };

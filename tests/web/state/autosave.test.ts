@@ -4,6 +4,8 @@ import { addLines } from '../../../web/src/state/edits.ts';
 import { type KeyValueStore, memoryStore } from '../../../web/src/state/storage.ts';
 import { SketchStore } from '../../../web/src/state/store.ts';
 
+const KEY = 'sketch/a';
+
 function drawn(): SketchStore {
   const store = new SketchStore();
   store.commit('draw', addLines(store.sketch.value, [{ from: [0, 0, 0], to: [3, 0, 0] }]));
@@ -16,10 +18,10 @@ describe('autosave', () => {
     const kept = memoryStore();
     const saver = new Autosaver(kept, () => undefined);
     const store = drawn();
-    saver.save(store.save());
+    saver.save(KEY, store.save());
     await saver.flushed();
 
-    const saved = await loadSaved(kept);
+    const saved = await loadSaved(kept, KEY);
     const later = new SketchStore();
     if (saved) later.restore(saved);
     expect(later.sketch.value).toEqual(store.sketch.value);
@@ -31,6 +33,7 @@ describe('autosave', () => {
     const written: unknown[] = [];
     const slow: KeyValueStore = {
       get: async () => undefined,
+      delete: async () => undefined,
       set: async (_key, value) => {
         await Promise.resolve();
         written.push(value);
@@ -39,7 +42,7 @@ describe('autosave', () => {
     const saver = new Autosaver(slow, () => undefined);
     const store = drawn();
     for (let i = 0; i < 50; i++) {
-      saver.save(store.save());
+      saver.save(KEY, store.save());
     }
     await saver.flushed();
     expect(written.length).toBeLessThan(4);
@@ -49,11 +52,12 @@ describe('autosave', () => {
   it('says that the store is full', async () => {
     const full: KeyValueStore = {
       get: async () => undefined,
+      delete: async () => undefined,
       set: async () => Promise.reject(new Error('QuotaExceededError')),
     };
     const failures: unknown[] = [];
     const saver = new Autosaver(full, (error) => failures.push(error));
-    saver.save(drawn().save());
+    saver.save(KEY, drawn().save());
     await saver.flushed();
     expect(failures).toHaveLength(1);
   });
@@ -64,14 +68,18 @@ describe('autosave', () => {
     ['a damaged sketch', { format: 1, sketch: { lines: 'no' } }],
   ])('does not trust %s', async (_name, value) => {
     const kept = memoryStore();
-    await kept.set('sketch/current', value);
-    expect(await loadSaved(kept)).toBeNull();
+    await kept.set(KEY, value);
+    expect(await loadSaved(kept, KEY)).toBeNull();
   });
 
   it('keeps the sketch when only the history is damaged', async () => {
     const kept = memoryStore();
     const { sketch } = drawn().save();
-    await kept.set('sketch/current', { format: 1, sketch, history: { past: [7], future: [] } });
-    expect(await loadSaved(kept)).toEqual({ sketch, history: { past: [], future: [] } });
+    await kept.set(KEY, { format: 1, sketch, history: { past: [7], future: [] } });
+    expect(await loadSaved(kept, KEY)).toEqual({
+      sketch,
+      history: { past: [], future: [] },
+      changed: 0,
+    });
   });
 });

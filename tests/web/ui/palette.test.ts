@@ -29,10 +29,9 @@ describe('palette', () => {
 
 describe('chart', () => {
   it('stays in its box for a flat curve', () => {
-    const path = chartPath([
-      { iterations: 0, objective: 2 },
-      { iterations: 10, objective: 2 },
-    ]);
+    const tallies = { temperature: 1, beams: 3, gaps: 0, collisions: 0, failedConnections: 0 };
+    const points = [0, 10].map((iterations) => ({ iterations, objective: 2, ...tallies }));
+    const path = chartPath(points, (point) => point.objective, [2, 2], 50);
     expect(path).not.toContain('NaN');
   });
 });

@@ -1,7 +1,18 @@
 import type { SketchDocument, SketchLine } from '../model/sketch.ts';
+import type { AxisName } from '../model/vec.ts';
 import type { ToolId } from '../tools/tool.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
+
+/** Opening, saving and sharing. */
+export interface FileActions {
+  chooseFile(): void;
+  saveSketch(): void;
+  saveModel(): void;
+  exportModel(format: 'mpd' | 'parts.csv'): void;
+  savePicture(): void;
+  share(): void;
+}
 
 /** What the commands are made of. The page does it; tests record it. */
 export interface Actions {
@@ -16,15 +27,14 @@ export interface Actions {
   undo(): void;
   redo(): void;
   newSketch(): void;
-  chooseFile(): void;
-  saveSketch(): void;
-  saveModel(): void;
-  exportModel(format: 'mpd' | 'parts.csv'): void;
-  savePicture(): void;
-  share(): void;
+  readonly files: FileActions;
   generate(): void;
   cancel(): void;
   fit(): void;
+  /** Cuts the model open in its middle; null closes it. */
+  cutAlong(axis: AxisName | null): void;
   setView(view: StandardView): void;
   announce(message: string): void;
+  /** @param id null goes back to the drawing. */
+  openRoom(id: string | null): void;
 }

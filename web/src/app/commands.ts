@@ -4,6 +4,8 @@ import { annotateCommands } from './commands/annotate-commands.ts';
 import { drawCommands } from './commands/draw-commands.ts';
 import { editCommands } from './commands/edit-commands.ts';
 import { fileCommands } from './commands/file-commands.ts';
+import { inspectCommands } from './commands/inspect-commands.ts';
+import { roomCommands } from './commands/room-commands.ts';
 import { solveCommands } from './commands/solve-commands.ts';
 import { viewCommands } from './commands/view-commands.ts';
 
@@ -15,7 +17,9 @@ export function commandTable(actions: Actions): CommandTable {
     ...annotateCommands(actions),
     ...solveCommands(actions),
     ...viewCommands(actions),
+    ...inspectCommands(actions),
     ...fileCommands(actions),
+    ...roomCommands(actions),
   ];
   return new CommandTable(commands);
 }

@@ -4,35 +4,45 @@ import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
 import { decodeShare } from '../share/codec.ts';
 import { createSolverClient } from '../solver/client.ts';
-import { Autosaver, loadSaved } from '../state/autosave.ts';
+import { SketchLibrary } from '../state/library.ts';
 import { keptPreferences, type TextStorage } from '../state/preferences.ts';
 import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/storage.ts';
-import { SketchStore } from '../state/store.ts';
+import { type SavedSketch, SketchStore } from '../state/store.ts';
+import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
+import { language } from '../ui/text/language.ts';
 import { text } from '../ui/text.ts';
+import { Thumbnails } from '../view/still/thumbnails.ts';
 import '../../styles/tokens.css';
 import '../../styles/base.css';
 import '../../styles/layout.css';
 import '../../styles/controls.css';
+import '../../styles/inspect.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';
+import '../../styles/rooms.css';
+import '../../styles/search.css';
 import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
+import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
-import { isOwnAddress, PageController } from './page-controller.ts';
+import { PageController } from './page-controller.ts';
+import { isOwnAddress } from './page-files.ts';
+import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
+import { watchSketch } from './sketch-watch.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;
 const TURN_MS = 12_000;
 
-function localTextStorage(): TextStorage | null {
+function textStorage(kind: 'localStorage' | 'sessionStorage'): TextStorage | null {
   try {
-    return window.localStorage;
+    return window[kind];
   } catch {
     return null;
   }
@@ -54,6 +64,7 @@ async function fetchJson(path: string): Promise<unknown> {
 
 function pageOf(controller: PageController): Page {
   const { state, toaster, scene } = controller;
+  const thumbnails = new Thumbnails(state.catalogue);
   return {
     ...state,
     commands: commandTable(controller),
@@ -61,10 +72,29 @@ function pageOf(controller: PageController): Page {
     webglMissing: scene.webglMissing,
     mac: /mac/i.test(navigator.platform),
     mountScene: (host) => scene.mount(host),
+    view: () => scene.view,
+    openRoom: controller.openRoom,
+    announce: controller.announce,
+    sketches: {
+      list: () => controller.shelf.list(),
+      openId: () => controller.shelf.openId,
+      open: controller.openKept,
+      duplicate: (id) =>
+        controller.shelf.duplicate(id, (name) => fillWords(text.sketches.copyName, { name })),
+      remove: (id) => controller.shelf.remove(id),
+    },
     useTool: controller.useTool,
     openExample: controller.openExample,
-    openFile: controller.openFile,
+    openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
+    importOwned: controller.files.importOwned,
+    partPicture: (id) => thumbnails.picture(id),
+    cutAlong: controller.cutAlong,
+    showPlace: controller.showPlace,
+    showLayout: controller.showLayout,
+    mend: controller.mend,
+    confirmMirror: controller.confirmMirror,
+    dropSymmetry: controller.dropSymmetry,
     rename: controller.rename,
     dismissToast: (id) => toaster.dismiss(id),
     typeLength: controller.typeLength,
@@ -113,9 +143,8 @@ async function openLink(
 }
 
 /** What to begin with: a link, else the last visit's sketch, else the first example. */
-async function openFirst(controller: PageController, kept: KeyValueStore): Promise<void> {
+async function openFirst(controller: PageController, saved: SavedSketch | null): Promise<void> {
   const { state, scene } = controller;
-  const saved = await loadSaved(kept).catch(() => null);
   if (saved) {
     controller.begin(saved);
   }
@@ -126,22 +155,22 @@ async function openFirst(controller: PageController, kept: KeyValueStore): Promi
   const first = state.examples.value[0];
   if (!saved && first) {
     turnUntilTouched(scene);
-    controller.begin({
-      sketch: { ...first.sketch, name: first.title },
-      history: { past: [], future: [] },
-    });
+    const sketch = { ...first.sketch, name: first.title };
+    controller.shelf.leave(sketch);
+    controller.begin({ sketch, history: { past: [], future: [] } });
   }
 }
 
 async function start(): Promise<void> {
   const store = new SketchStore();
-  const preferences = keptPreferences(localTextStorage());
+  const preferences = keptPreferences(textStorage('localStorage'));
   const client = createSolverClient();
   client.warmUp();
   const catalogue = readCatalogue(catalogueFile);
   const controller = new PageController({ store, preferences, catalogue, client });
   const { state, toaster } = controller;
   followTheme(state);
+  document.documentElement.lang = language;
   const page = pageOf(controller);
   const root = document.getElementById('app');
   if (!root) {
@@ -149,25 +178,29 @@ async function start(): Promise<void> {
   }
   root.replaceChildren();
   render(<Root page={page} />, root);
-  listenToDrops(state.dropping, controller.openFile);
+  followRoom(state.room);
+  listenToDrops(state.dropping, controller.files.openFile);
   listenToKeys(
     {
       commands: page.commands,
       mac: page.mac,
       tool: () => state.tool.value,
-      covered: () => state.dialog.value !== null,
-      atRest: () => controller.useTool('select'),
+      covered: () => state.dialog.value !== null || state.room.value !== null,
+      atRest: controller.rest,
     },
     new AbortController().signal,
   );
-  const kept = await openStore(() => toaster.info(text.files.storeNone));
-  await openFirst(controller, kept);
-  const saver = new Autosaver(kept, () => toaster.error(text.files.storeFull));
-  effect(() => {
-    // The history changes with every captured edit and with nothing else.
-    store.history.value;
-    saver.save(store.save());
+  const { shelf } = controller;
+  const library = new SketchLibrary({
+    store: await openStore(() => toaster.info(text.files.storeNone)),
+    tab: textStorage('sessionStorage'),
+    newId: () => crypto.randomUUID(),
+    onFailure: () => toaster.error(text.files.storeFull),
   });
+  await openFirst(controller, await shelf.begin(library));
+  shelf.keepEdits();
+  followLanguage(preferences, () => shelf.kept());
+  watchSketch(state);
   solveAfterEdits(state, {
     generate: controller.generate,
     drop: () => controller.run.drop(),
@@ -195,7 +228,7 @@ function keepAddress(controller: PageController): void {
     shared.value;
     clearTimeout(timer);
     timer = setTimeout(() => {
-      controller.updateAddress().catch(() => undefined);
+      controller.files.updateAddress().catch(() => undefined);
     }, ADDRESS_PAUSE_MS);
   });
 }

@@ -1,24 +1,29 @@
 import { effect, signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
+import { modelBounds } from '../model/bounds.ts';
+import { brickSetSettings } from '../model/brick-set.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
-import { encodeShare } from '../share/codec.ts';
+import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolverClient } from '../solver/client.ts';
 import type { SolveSettings } from '../solver/protocol.ts';
+import { addSymmetry, removeSymmetry } from '../state/edits.ts';
 import { type Preferences, parseAdvanced } from '../state/preferences.ts';
-import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
+import { readSketchValue } from '../state/read-sketch.ts';
+import { mendFault, type SketchFault } from '../state/sketch-faults.ts';
 import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
-import { fillWords } from '../tools/tool-words.ts';
-import type { Example } from '../ui/page.ts';
+import type { Example, LayoutSnapshot } from '../ui/page.ts';
+import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { Actions } from './actions.ts';
-import { download, fileName } from './download.ts';
-import { readOpenedFile } from './files.ts';
+import { PageFiles } from './page-files.ts';
 import { PageState } from './page-state.ts';
 import { SceneBridge } from './scene-bridge.ts';
+import { SketchShelf } from './sketch-shelf.ts';
 import { SolveRun } from './solve-run.ts';
 import { Toaster } from './toasts.ts';
 
@@ -29,17 +34,6 @@ interface ControllerOptions {
   readonly client: SolverClient;
 }
 
-/** Marks an address that this page has written: after a reload the saved sketch is newer than it. */
-const OWN_ADDRESS = { liftarm: 'own' } as const;
-
-/** Whether the address came from this page, and not from a link that was opened. */
-export function isOwnAddress(state: unknown): boolean {
-  return (
-    typeof state === 'object' && state !== null && 'liftarm' in state && state.liftarm === 'own'
-  );
-}
-
-const PICTURE = { width: 1600, height: 1200 } as const;
 const TURN_BACK_MS = 50;
 
 /** Does what the commands ask for. It owns the parts of the page; each part knows only itself. */
@@ -48,7 +42,8 @@ export class PageController implements Actions {
   readonly scene: SceneBridge;
   readonly toaster = new Toaster();
   readonly run: SolveRun;
-  readonly #client: SolverClient;
+  readonly shelf: SketchShelf;
+  readonly files: PageFiles;
   readonly #tools: ReadonlyMap<ToolId, Tool>;
   clipboard: readonly SketchLine[] = [];
   /** The sketch that came as a whole last, by a file, a link, an example or the last visit. */
@@ -56,7 +51,7 @@ export class PageController implements Actions {
 
   constructor(options: ControllerOptions) {
     const { store, preferences, catalogue, client } = options;
-    this.#client = client;
+    this.shelf = new SketchShelf(store);
     this.run = new SolveRun(client);
     const planeMode = signal<PlaneMode>('auto');
     let scene: SceneBridge | null = null;
@@ -87,6 +82,17 @@ export class PageController implements Actions {
     });
     scene = new SceneBridge(this.state, catalogue);
     this.scene = scene;
+    this.files = new PageFiles({
+      state: this.state,
+      scene,
+      toaster: this.toaster,
+      run: this.run,
+      client,
+      replaceSketch: (sketch) => this.replaceSketch(sketch),
+      edit: this.edit,
+      useTool: this.useTool,
+      fit: this.fit,
+    });
   }
 
   // --- Tools and edits -----------------------------------------------------------------------
@@ -97,6 +103,15 @@ export class PageController implements Actions {
     tool.value = this.#toolOf(id);
     tool.value.reset();
     this.announce(text.toolNames[id]);
+  };
+
+  /** Escape with nothing left to step back from. */
+  readonly rest = (): void => {
+    if (this.state.pickedPart.value !== null) {
+      this.state.pickedPart.value = null;
+    } else {
+      this.useTool('select');
+    }
   };
 
   readonly focusDrawing = (): void => this.scene.focus();
@@ -118,6 +133,11 @@ export class PageController implements Actions {
     this.announce(`${text.commands.redo}: ${label ?? ''}`);
   };
 
+  readonly openRoom = (id: string | null): void => {
+    this.state.tool.value.reset();
+    this.state.room.value = findRoom(id)?.id ?? null;
+  };
+
   readonly announce = (message: string): void => {
     const { announcement } = this.state;
     // The same words again are said again only when the text changes.
@@ -131,14 +151,47 @@ export class PageController implements Actions {
     }
   };
 
+  readonly mend = (fault: SketchFault): void => {
+    this.edit(text.faults.edit, mendFault(this.state.store.sketch.value, fault));
+  };
+
+  readonly confirmMirror = (plane: MirrorPlane): void => {
+    this.state.proposedMirror.value = null;
+    const symmetry = { kind: 'reflection', ...plane } as const;
+    this.edit(text.symmetry.edit, addSymmetry(this.state.store.sketch.value, symmetry));
+  };
+
+  readonly dropSymmetry = (index: number): void => {
+    this.edit(text.symmetry.edit, removeSymmetry(this.state.store.sketch.value, index));
+  };
+
+  readonly showPlace = (at: Vec3): void => this.scene.view?.centreOn(at);
+
   // --- Files ---------------------------------------------------------------------------------
 
   readonly newSketch = (): void => {
+    this.state.dialog.value = null;
+    this.shelf.leave(emptySketch());
     this.run.clear();
     this.edit(text.edits.clear, emptySketch());
     this.useTool('line');
     this.scene.focus();
     this.fit();
+  };
+
+  /** Puts a kept sketch on the page, with its own history. */
+  readonly openKept = (id: string): void => {
+    this.shelf.open(id).then(
+      (saved) => {
+        if (saved) {
+          this.state.tool.value.reset();
+          this.run.clear();
+          this.begin(saved);
+          this.useTool('select');
+        }
+      },
+      () => this.toaster.error(text.files.unreadable),
+    );
   };
 
   /** The sketch that the page begins with; there is nothing to go back to. */
@@ -154,6 +207,7 @@ export class PageController implements Actions {
     this.run.clear();
     this.state.focusedProblem.value = null;
     this.#opened = sketch;
+    this.shelf.leave(sketch);
     this.edit(text.edits.open, sketch);
     this.useTool('select');
     this.fit();
@@ -164,110 +218,16 @@ export class PageController implements Actions {
     this.generate();
   };
 
-  readonly chooseFile = (): void => {
-    const input = document.createElement('input');
-    input.type = 'file';
-    input.accept = '.json,application/json';
-    input.onchange = () => {
-      const file = input.files?.[0];
-      if (file) {
-        this.openFile(file);
-      }
-    };
-    input.click();
-  };
-
-  readonly openFile = (file: File): void => {
-    this.toaster.clearErrors();
-    this.#open(file).catch(() => this.#refuse(file.name, text.files.unreadable));
-  };
-
-  async #open(file: File): Promise<void> {
-    const opened = await readOpenedFile(file, this.#client);
-    if (!opened.ok) {
-      this.#refuse(file.name, opened.message);
-      return;
-    }
-    if (opened.value.kind === 'sketch') {
-      const { sketch } = opened.value;
-      const name = sketch.name || file.name.replace(/(\.sketch)?\.json$/i, '');
-      this.replaceSketch({ ...sketch, name });
-      this.toaster.info(fillWords(text.files.opened, { name }));
-      return;
-    }
-    const refusal = await this.run.showFile(opened.value.json, (sketch) => {
-      this.edit(text.edits.open, sketch);
-    });
-    if (refusal !== null) {
-      this.#refuse(file.name, refusal);
-      return;
-    }
-    this.useTool('select');
-    if (!this.state.shown.value?.sketch) {
-      // The sketch on the page has nothing to do with this model.
-      const { preferences } = this.state;
-      preferences.value = { ...preferences.value, show: 'model' };
-    }
-    this.fit();
-    this.toaster.info(fillWords(text.files.openedModel, { name: file.name }));
-  }
-
-  #refuse(name: string, message: string): void {
-    this.toaster.error(fillWords(text.files.refused, { name, message }));
-  }
-
-  readonly saveSketch = (): void => {
-    const sketch = this.state.store.sketch.value;
-    this.#save('sketch.json', writeSketch(sketch), 'application/json');
-  };
-
-  readonly saveModel = (): void => {
-    const shown = this.state.shown.value;
-    if (shown) {
-      this.#save('model.json', shown.json, 'application/json');
-    }
-  };
-
-  readonly exportModel = (format: 'mpd' | 'parts.csv'): void => {
-    const shown = this.state.shown.value;
-    if (!shown) {
-      return;
-    }
-    const failed = (message: string) =>
-      this.toaster.error(fillWords(text.files.exportFailed, { message }));
-    this.#client.exportModel(shown.json, format).then(
-      (result) => {
-        if (result.outcome === 'ok') {
-          this.#save(format, result.text, format === 'mpd' ? 'application/x-ldraw' : 'text/csv');
-        } else {
-          failed(result.message);
-        }
-      },
-      (error: unknown) => failed(error instanceof Error ? error.message : ''),
-    );
-  };
-
-  readonly savePicture = (): void => {
-    this.scene.view
-      ?.renderToPng(PICTURE.width, PICTURE.height)
-      .then((picture) => download(fileName(this.#title(), 'png'), picture))
-      .catch((error: unknown) => this.toaster.error(String(error)));
-  };
-
-  #save(extension: string, content: string, type: string): void {
-    download(fileName(this.#title(), extension), new Blob([content], { type }));
-  }
-
-  #title(): string {
-    return this.state.store.sketch.value.name ?? '';
-  }
-
   // --- Search --------------------------------------------------------------------------------
 
   readonly generate = (): void => {
     const sketch = this.state.store.sketch.value;
     this.state.focusedProblem.value = null;
     this.run.start(sketch, settingsOf(this.state.preferences.value)).catch(() => undefined);
+  };
+
+  readonly showLayout = (layout: LayoutSnapshot): void => {
+    this.run.showLayout(layout).catch(() => undefined);
   };
 
   readonly cancel = (): void => this.run.cancel();
@@ -291,6 +251,13 @@ export class PageController implements Actions {
       }
     });
   }
+
+  readonly cutAlong = (axis: AxisName | null): void => {
+    const { section, shown, catalogue } = this.state;
+    const box = axis && shown.value ? modelBounds(shown.value.model, catalogue) : null;
+    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
+    section.value = axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
+  };
 
   readonly setView = (view: StandardView): void => {
     this.scene.view?.fit(view);
@@ -317,37 +284,7 @@ export class PageController implements Actions {
     }
   };
 
-  // --- Sharing -------------------------------------------------------------------------------
-
-  /** Puts the sketch into the address. @returns the refusal, or null. */
-  async updateAddress(): Promise<string | null> {
-    const { preset, seed } = this.state.preferences.value;
-    const sketch = this.state.store.sketch.value;
-    if (sketch.lines.length === 0) {
-      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
-      return null;
-    }
-    const fragment = await encodeShare({ sketch, preset, seed });
-    if (!fragment.ok) {
-      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
-      return fragment.message;
-    }
-    history.replaceState(OWN_ADDRESS, '', `#${fragment.value}`);
-    return null;
-  }
-
-  readonly share = (): void => {
-    this.updateAddress()
-      .then(async (refusal) => {
-        if (refusal !== null) {
-          this.toaster.error(refusal);
-          return;
-        }
-        await navigator.clipboard.writeText(location.href);
-        this.toaster.info(text.files.copied);
-      })
-      .catch(() => this.toaster.error(text.files.copyFailed));
-  };
+  // --- Links ------------------------------------------------------------------------------------
 
   /** A sketch that came from a link is checked like one from a file. */
   openShared(state: { sketch: SketchDocument; preset: string; seed: number }): string | null {
@@ -371,7 +308,13 @@ export class PageController implements Actions {
   }
 }
 
-function settingsOf(preferences: Preferences): SolveSettings {
-  const { seed, preset, advanced } = preferences;
-  return { seed, preset, set: parseAdvanced(advanced) };
+/** What the search is asked for. What stands under "advanced" wins over everything else. */
+export function settingsOf(preferences: Preferences): SolveSettings {
+  const { seed, preset, effort, off, advanced } = preferences;
+  const set = {
+    ...(effort === 1 ? {} : { effort }),
+    ...brickSetSettings(new Set(off)),
+    ...parseAdvanced(advanced),
+  };
+  return { seed, preset, set };
 }

@@ -1,14 +1,25 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { colourHex, colourName } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
+import { unfitParts } from '../model/fitting-parts.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
+import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PlaneMode, Tool } from '../tools/tool.ts';
-import type { DialogName, Example, PartRow, ResultState, SolveState } from '../ui/page.ts';
-import type { ShownModel } from './solve-run.ts';
+import type {
+  DialogName,
+  Example,
+  PartRow,
+  PointerTaker,
+  ResultState,
+  ShownModel,
+  SolveState,
+} from '../ui/page.ts';
+import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 
 /** Up to this size a sketch is solved after each edit: a second or two on a slow machine. */
 const SMALL = { lines: 80, length: 500 } as const;
@@ -31,30 +42,49 @@ export class PageState {
   readonly shown: ReadonlySignal<ShownModel | null>;
   readonly tool: Signal<Tool>;
   readonly planeMode: Signal<PlaneMode>;
+  readonly catalogue: Catalogue;
   readonly explode = signal(0);
+  readonly display = signal<PartDisplay | null>(null);
+  readonly isolation = signal<Isolation | null>(null);
+  readonly section = signal<Section | null>(null);
+  readonly pointerTaker = signal<PointerTaker | null>(null);
+  readonly room = signal<string | null>(null);
   readonly dialog = signal<DialogName>(null);
   readonly examples = signal<readonly Example[] | null>(null);
   readonly announcement = signal('');
+  /** Found in the sketch a moment after each edit; see sketch-watch.ts. */
+  readonly faults = signal<readonly SketchFault[]>([]);
+  readonly mirrors = signal<readonly MirrorPlane[]>([]);
+  readonly proposedMirror = signal<MirrorPlane | null>(null);
   readonly panelOpen = signal(false);
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
   readonly hoveredPartIndex = signal<number | null>(null);
+  /** The brick that was clicked, by index. */
+  readonly pickedPart = signal<number | null>(null);
   readonly systemDark = signal(false);
 
   readonly result: ReadonlySignal<ResultState | null>;
   readonly stale: ReadonlySignal<boolean>;
+  /** Parts of the model that the sketch has left behind: none, some, or all. */
+  readonly unfit: ReadonlySignal<boolean | ReadonlySet<number>>;
   readonly small: ReadonlySignal<boolean>;
   readonly themeName: ReadonlySignal<'light' | 'dark'>;
+  /** Where something is wrong in the sketch or in the model made for it. */
   readonly problemPoints: ReadonlySignal<readonly Vec3[]>;
+  /** Lines that cannot be built as drawn. */
+  readonly problemLines: ReadonlySignal<ReadonlySet<number>>;
   readonly hoveredPart: ReadonlySignal<string | null>;
   readonly partMarks: ReadonlySignal<{
     readonly hovered: number | null;
+    readonly selected: ReadonlySet<number>;
     readonly errors: ReadonlySet<number>;
   }>;
 
   constructor(options: PageStateOptions) {
     const { store, preferences, catalogue, solve, shown } = options;
     this.store = store;
+    this.catalogue = catalogue;
     this.preferences = preferences;
     this.solve = solve;
     this.shown = shown;
@@ -70,6 +100,12 @@ export class PageState {
       return sketch ? searchText(sketch) : null;
     });
     this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    this.unfit = computed(() => {
+      const model = shown.value;
+      return this.stale.value && model?.sketch
+        ? (unfitParts(model.model.parts, model.sketch, store.sketch.value) ?? true)
+        : false;
+    });
     this.small = computed(() => isSmall(store.sketch.value));
     this.themeName = computed(() => {
       const { theme } = preferences.value;
@@ -77,7 +113,14 @@ export class PageState {
     });
     this.problemPoints = computed(() => {
       const problems = this.stale.value ? [] : (this.result.value?.problems ?? []);
-      return problems.flatMap((problem) => (problem.at ? [problem.at] : []));
+      const ofModel = problems.flatMap((problem) => (problem.at ? [problem.at] : []));
+      return [...ofModel, ...this.faults.value.map((fault) => fault.at)];
+    });
+    this.problemLines = computed(() => {
+      const { phase, message } = solve.value;
+      const refused = phase === 'refused' ? refusedLine(message) : null;
+      const faulty = this.faults.value.flatMap((fault) => fault.lines);
+      return new Set(refused === null ? faulty : [...faulty, refused]);
     });
     this.hoveredPart = computed(() => {
       const index = this.hoveredPartIndex.value;
@@ -86,8 +129,21 @@ export class PageState {
     this.partMarks = computed(() => {
       const focused = this.focusedProblem.value;
       const problem = focused === null ? null : this.result.value?.problems[focused];
-      return { hovered: this.hoveredPartIndex.value, errors: new Set(problem?.parts ?? []) };
+      const picked = this.pickedPart.value;
+      return {
+        hovered: this.hoveredPartIndex.value,
+        selected: new Set(picked === null ? [] : [picked]),
+        errors: new Set(problem?.parts ?? []),
+      };
     });
+  }
+  /** Part indices mean nothing for another model. */
+  forgetParts(): void {
+    this.display.value = null;
+    this.isolation.value = null;
+    this.focusedProblem.value = null;
+    this.hoveredPartIndex.value = null;
+    this.pickedPart.value = null;
   }
 }
 
@@ -127,4 +183,10 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
 /** Every part here is a Technic part, so the word says nothing. */
 function shortName(name: string): string {
   return name.replace(/^Technic\s+/, '');
+}
+
+/** The line that a refusal of the core names, such as `lines[3]: …`, or null. */
+export function refusedLine(message: string): number | null {
+  const match = /^lines\[(\d+)\]/.exec(message);
+  return match ? Number(match[1]) : null;
 }

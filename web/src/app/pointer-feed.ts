@@ -20,6 +20,7 @@ export class PointerFeed {
   readonly #stop = new AbortController();
   readonly #down = new Set<number>();
   #primary: number | null = null;
+  #lastPress: PointerEvent | null = null;
 
   constructor(host: HTMLElement, canvas: HTMLCanvasElement, target: PointerTarget) {
     this.#canvas = canvas;
@@ -50,8 +51,17 @@ export class PointerFeed {
     }
     if (event.button === 0) {
       this.#primary = event.pointerId;
-      this.#target.pressed(this.#input(event));
+      const double = this.#isDouble(event);
+      this.#lastPress = double ? null : event;
+      this.#target.pressed({ ...this.#input(event), double });
     }
+  }
+
+  /** Pointer events do not count clicks: two presses in one place within a moment are a double one. */
+  #isDouble(event: PointerEvent): boolean {
+    const last = this.#lastPress;
+    const near = last && Math.hypot(event.clientX - last.clientX, event.clientY - last.clientY);
+    return last !== null && near !== null && near < 8 && event.timeStamp - last.timeStamp < 400;
   }
 
   #onMove(event: PointerEvent): void {

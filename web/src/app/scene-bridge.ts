@@ -1,15 +1,19 @@
 import { effect, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
+import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
-import type { OverlayLabel, PointerInput, ToolView } from '../tools/tool.ts';
+import type { PointerInput, ToolView } from '../tools/tool.ts';
+import type { PointerTaker } from '../ui/page.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
+import { SceneLabel } from './scene-label.ts';
 
 const NOTHING: Pick = { line: null, node: null, part: null };
-const LABEL_OFFSET = 16;
+/** A press that moves farther than this is a drag. */
+const CLICK_PIXELS = 4;
 /** Pause after the picture of an unfinished layout, as a multiple of what the picture cost. */
 const INTERIM_SHARE = 4;
 
@@ -20,10 +24,14 @@ export class SceneBridge implements PointerTarget {
   readonly webglMissing = signal(false);
   #view: SceneView | null = null;
   #canvas: HTMLCanvasElement | null = null;
-  #label: HTMLElement | null = null;
-  #labelShown: OverlayLabel | null = null;
+  /** Made with the scene: it needs a document. */
+  #label: SceneLabel | null = null;
   #coarse = false;
   #nextInterim = 0;
+  #lastModel: Model | null = null;
+  #pressedAt: PointerInput | null = null;
+  /** Who has taken the press that is under way. */
+  #taker: PointerTaker | null = null;
 
   /** What the tools see of the scene; harmless before there is one. */
   readonly toolView: ToolView = {
@@ -48,12 +56,10 @@ export class SceneBridge implements PointerTarget {
     canvas.setAttribute('role', 'application');
     canvas.setAttribute('aria-label', text.app.drawing);
     canvas.setAttribute('aria-describedby', 'drawing-help');
-    const label = document.createElement('div');
-    label.className = 'scene-label';
-    label.hidden = true;
-    host.append(canvas, label);
-    this.#canvas = canvas;
+    const label = new SceneLabel();
+    host.append(canvas, label.element);
     this.#label = label;
+    this.#canvas = canvas;
     // Before the view: its controls must find the navigation that fits the press.
     const feed = new PointerFeed(host, canvas, this);
     try {
@@ -71,7 +77,7 @@ export class SceneBridge implements PointerTarget {
       this.#view?.dispose();
       this.#view = null;
       canvas.remove();
-      label.remove();
+      label.element.remove();
     };
   }
 
@@ -88,6 +94,13 @@ export class SceneBridge implements PointerTarget {
 
   pressed(at: PointerInput): void {
     this.#coarse = at.kind === 'touch';
+    this.#taker = this.#state.pointerTaker.value;
+    if (this.#taker?.pressed(at)) {
+      this.#setNavigation('tool');
+      return;
+    }
+    this.#taker = null;
+    this.#pressedAt = at;
     const navigation = this.#state.tool.value.navigation(at);
     this.#setNavigation(navigation);
     this.#view?.setTurntable('off');
@@ -96,6 +109,10 @@ export class SceneBridge implements PointerTarget {
 
   moved(at: PointerInput): void {
     this.#coarse = at.kind === 'touch';
+    if (this.#taker) {
+      this.#taker.moved(at);
+      return;
+    }
     const tool = this.#state.tool.value;
     tool.pointerMove(at);
     const part = tool.id === 'select' ? this.toolView.pickAt(at).part : null;
@@ -104,7 +121,24 @@ export class SceneBridge implements PointerTarget {
   }
 
   released(at: PointerInput): void {
+    if (this.#taker) {
+      this.#taker.released(at);
+      this.#taker = null;
+      return;
+    }
     this.#state.tool.value.pointerUp(at);
+    this.#pickPart(at);
+  }
+
+  /** With the selecting tool, a click on a brick and on no line picks the brick. */
+  #pickPart(at: PointerInput): void {
+    const from = this.#pressedAt;
+    this.#pressedAt = null;
+    const still = from && Math.hypot(at.x - from.x, at.y - from.y) <= CLICK_PIXELS;
+    if (still && this.#state.tool.value.id === 'select') {
+      const { line, part } = this.toolView.pickAt(at);
+      this.#state.pickedPart.value = line === null ? (part?.index ?? null) : null;
+    }
   }
 
   left(): void {
@@ -114,6 +148,8 @@ export class SceneBridge implements PointerTarget {
 
   /** Two fingers or another button: the camera's, so what the first finger began is dropped. */
   abandoned(): void {
+    this.#taker?.released(null);
+    this.#taker = null;
     this.#state.tool.value.pointerLeave();
   }
 
@@ -133,6 +169,9 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#view?.colourBy(state.preferences.value.colourBy)),
       effect(() => this.#view?.setProjection(state.preferences.value.projection)),
       effect(() => this.#view?.explode(state.explode.value)),
+      effect(() => this.#view?.isolate(state.isolation.value)),
+      effect(() => this.#view?.setSection(state.section.value)),
+      effect(() => this.#view?.display(state.display.value)),
       effect(() => this.#view?.markParts(state.partMarks.value)),
       effect(() => this.#showOverlay(host)),
     ];
@@ -144,18 +183,24 @@ export class SceneBridge implements PointerTarget {
   }
 
   #showSketch(): void {
-    const { store, tool, problemPoints } = this.#state;
+    const { store, tool, problemPoints, problemLines, proposedMirror } = this.#state;
     const marks: SketchMarks = {
       selected: store.selection.value,
       hovered: tool.value.overlay.value.hovered,
+      errors: problemLines.value,
       errorPoints: problemPoints.value,
+      proposedMirror: proposedMirror.value,
     };
     this.#view?.setSketch(store.sketch.value, marks);
   }
 
   #showModel(): void {
     const shown = this.#state.shown.value;
-    const dimmed = this.#state.stale.value;
+    const dimmed = this.#state.unfit.value;
+    if (shown?.model !== this.#lastModel) {
+      this.#lastModel = shown?.model ?? null;
+      this.#state.forgetParts();
+    }
     const interim = shown !== null && shown.report === null;
     const now = performance.now();
     // A slow machine must not spend its time on pictures of layouts that are about to be improved.
@@ -183,33 +228,14 @@ export class SceneBridge implements PointerTarget {
     const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
     this.#view?.setGuidePlane(plane, overlay.cursor);
     this.#view?.setPreview(overlay.preview);
-    this.#setLabel(overlay.label);
-  }
-
-  #setLabel(label: OverlayLabel | null): void {
-    this.#labelShown = label;
-    const element = this.#label;
-    if (!element) {
-      return;
-    }
-    element.hidden = label === null;
-    if (label) {
-      const main = document.createElement('strong');
-      main.textContent = label.main;
-      const note = document.createElement('span');
-      note.textContent = label.note;
-      element.dataset['kind'] = label.kind;
-      element.replaceChildren(main, note);
-      this.#placeLabel();
-    }
+    this.#label?.set(overlay.label);
+    this.#placeLabel();
   }
 
   #placeLabel(): void {
-    if (this.#labelShown && this.#label && this.#view) {
-      const at = this.#view.project(this.#labelShown.at);
-      const x = Math.round(at.x + LABEL_OFFSET);
-      const y = Math.round(at.y + LABEL_OFFSET);
-      this.#label.style.transform = `translate(${x}px, ${y}px)`;
+    const view = this.#view;
+    if (view) {
+      this.#label?.place((at) => view.project(at));
     }
   }
 

@@ -1,28 +1,17 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
-import type { Model } from '../model/model.ts';
 import type { CheckReport, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { SolveResult, SolverClient } from '../solver/client.ts';
 import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
-import type { SolveState } from '../ui/page.ts';
+import type { ChartPoint, LayoutSnapshot, ShownModel, SolveState } from '../ui/page.ts';
 import { text } from '../ui/text.ts';
 import { readModel } from './read-model.ts';
 
-/** A model on screen, and what is known of it. */
-export interface ShownModel {
-  readonly source: 'search' | 'file';
-  readonly json: string;
-  readonly model: Model;
-  /** The sketch it was made for; null for a model from a file that names none. */
-  readonly sketch: SketchDocument | null;
-  /** Null while the search is under way. */
-  readonly report: Report | null;
-  readonly check: CheckReport | null;
-}
-
 const MAX_CHART_POINTS = 400;
-const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], message: '' };
+/** More than these say little: every other one is dropped, the first and the last stay. */
+export const MAX_LAYOUTS = 12;
+const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], layouts: [], message: '' };
 
 /** One search at a time: started, watched, cancelled; the last good model stays. */
 export class SolveRun {
@@ -109,6 +98,22 @@ export class SolveRun {
     this.#state.value = IDLE;
   }
 
+  /** Shows an earlier layout of the last search, checked like a file. */
+  async showLayout(layout: LayoutSnapshot): Promise<void> {
+    const model = readModel(layout.json);
+    const sketch = this.#sketch;
+    if (this.#running || !model.ok || !sketch) {
+      return;
+    }
+    const check = await this.#check(layout.json);
+    if (!this.#running && this.#sketch === sketch) {
+      const { json, objective, beams, gaps, collisions, failedConnections } = layout;
+      const buildable = check?.buildable ?? false;
+      const report = { objective, beams, gaps, collisions, failedConnections, buildable };
+      this.#shown.value = { source: 'search', json, model: model.value, sketch, report, check };
+    }
+  }
+
   /** Takes the model from the screen. */
   clear(): void {
     this.drop();
@@ -116,8 +121,8 @@ export class SolveRun {
   }
 
   #progressed(sketch: SketchDocument, progress: SolveProgress, json: string | null): void {
-    const { chart } = this.#state.value;
-    const point = { iterations: progress.iterations, objective: progress.objective };
+    const { chart, layouts } = this.#state.value;
+    const point = pointOf(progress);
     const known = Number.isFinite(progress.objective);
     const kept = chart.length >= MAX_CHART_POINTS ? chart.filter((_, i) => i % 2 === 0) : chart;
     batch(() => {
@@ -125,6 +130,7 @@ export class SolveRun {
         phase: 'solving',
         progress,
         chart: known ? [...kept, point] : chart,
+        layouts: json === null || !known ? layouts : keptLayouts([...layouts, { ...point, json }]),
         message: '',
       };
       const model = json === null ? null : readModel(json);
@@ -182,7 +188,19 @@ export class SolveRun {
           check,
         };
         this.#end('solved', '');
+        this.#addFinal(json, report);
       });
+    }
+  }
+
+  /** The finished model is the last of the layouts. */
+  #addFinal(json: string, report: Report): void {
+    const { layouts, progress } = this.#state.value;
+    const others = layouts.filter((layout) => layout.json !== json);
+    if (progress && others.length > 0) {
+      const objective = report.objective ?? progress.objective;
+      const final = { ...pointOf(progress), ...tallies(report), objective, json };
+      this.#state.value = { ...this.#state.value, layouts: keptLayouts([...others, final]) };
     }
   }
 
@@ -209,6 +227,25 @@ export class SolveRun {
   #end(phase: SolveState['phase'], message: string): void {
     this.#state.value = { ...this.#state.value, phase, message };
   }
+}
+
+function tallies(report: Report): Partial<ChartPoint> {
+  const { beams, gaps, collisions, failedConnections } = report;
+  const known = Object.entries({ beams, gaps, collisions, failedConnections });
+  return Object.fromEntries(known.filter(([, value]) => value !== undefined));
+}
+
+function pointOf(progress: SolveProgress): ChartPoint {
+  const { iterations, objective, temperature, beams, gaps, collisions, failedConnections } =
+    progress;
+  return { iterations, objective, temperature, beams, gaps, collisions, failedConnections };
+}
+
+/** At most MAX_LAYOUTS: every other one goes, but not the first and not the last. */
+export function keptLayouts(layouts: readonly LayoutSnapshot[]): readonly LayoutSnapshot[] {
+  return layouts.length <= MAX_LAYOUTS
+    ? layouts
+    : layouts.filter((_, i) => i % 2 === 0 || i === layouts.length - 1);
 }
 
 /** The sketch that a model file was made for, or null. */

@@ -36,7 +36,16 @@ export interface SolveSeconds {
   readonly byPhase: Readonly<Record<string, number>>;
 }
 
-export type ExportFormat = 'mpd' | 'parts.csv';
+export type ExportFormat =
+  | 'mpd'
+  | 'parts.csv'
+  | 'wanted.xml'
+  | 'spreadsheet.csv'
+  /** The building sequence (instructions/assembly-plan.ts). */
+  | 'assembly.json'
+  /** The frame for CalculiX and for ANSYS. */
+  | 'inp'
+  | 'apdl';
 
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */

@@ -36,6 +36,10 @@ export interface SolverSession {
 export interface SolverModule {
   readonly SolverSession: new (sketchJson: string, settingsJson: string) => SolverSession;
   checkModelJson(modelJson: string): SolverReply;
+  /** The building sequence; its keys are those of planAssemblyJson in core/design/design_session.h. */
+  planAssemblyJson(modelJson: string): SolverReply;
+  /** Stress under weight and loads; options and answer as in core/design/design_session.h. */
+  analyseStressJson(modelJson: string, optionsJson: string): SolverReply;
   exportModel(modelJson: string, format: string): SolverReply;
   contractJson(): string;
 }

@@ -4,27 +4,32 @@ import { readSketchValue } from './read-sketch.ts';
 import type { KeyValueStore } from './storage.ts';
 import type { SavedSketch } from './store.ts';
 
-const KEY = 'sketch/current';
 const FORMAT = 1;
 
 /**
- * Writes the sketch and its history after every edit. While one write is under way only the newest
- * state waits, so a fast hand never makes a queue.
+ * Writes a sketch and its history after every edit. While one write is under way only the newest
+ * state of each sketch waits, so a fast hand never makes a queue.
  */
 export class Autosaver {
   readonly #store: KeyValueStore;
   readonly #onFailure: (error: unknown) => void;
-  #waiting: SavedSketch | null = null;
+  readonly #waiting = new Map<string, SavedSketch>();
   #writing: Promise<void> | null = null;
+  #unsaved = false;
 
   constructor(store: KeyValueStore, onFailure: (error: unknown) => void) {
     this.#store = store;
     this.#onFailure = onFailure;
   }
 
+  /** Whether something is not safe yet: the last write failed, or is under way. */
+  get unsaved(): boolean {
+    return this.#unsaved || this.#writing !== null;
+  }
+
   /** Puts the state in line; returns at once. */
-  save(saved: SavedSketch): void {
-    this.#waiting = saved;
+  save(key: string, saved: SavedSketch): void {
+    this.#waiting.set(key, saved);
     this.#writing ??= this.#drain();
   }
 
@@ -34,22 +39,38 @@ export class Autosaver {
   }
 
   async #drain(): Promise<void> {
-    while (this.#waiting) {
-      const next = this.#waiting;
-      this.#waiting = null;
+    for (let next = this.#next(); next; next = this.#next()) {
+      const [key, saved] = next;
       try {
-        await this.#store.set(KEY, { format: FORMAT, ...next });
+        await this.#store.set(key, { format: FORMAT, changed: Date.now(), ...saved });
+        this.#unsaved = false;
       } catch (error) {
+        this.#unsaved = true;
         this.#onFailure(error);
       }
     }
     this.#writing = null;
   }
+
+  #next(): [string, SavedSketch] | null {
+    const [first] = this.#waiting;
+    if (!first) {
+      return null;
+    }
+    this.#waiting.delete(first[0]);
+    return first;
+  }
 }
 
-/** What an earlier visit left, or null. Trusts nothing: a damaged history is dropped, a damaged sketch too. */
-export async function loadSaved(store: KeyValueStore): Promise<SavedSketch | null> {
-  const value = await store.get(KEY);
+/** A sketch as it was kept, and when. */
+export interface KeptSketch extends SavedSketch {
+  /** Milliseconds since 1970; 0 when not known. */
+  readonly changed: number;
+}
+
+/** What is kept under a key, or null. Trusts nothing: a damaged history is dropped, a damaged sketch too. */
+export async function loadSaved(store: KeyValueStore, key: string): Promise<KeptSketch | null> {
+  const value = await store.get(key);
   if (!isRecord(value) || value['format'] !== FORMAT) {
     return null;
   }
@@ -57,7 +78,12 @@ export async function loadSaved(store: KeyValueStore): Promise<SavedSketch | nul
   if (!sketch.ok) {
     return null;
   }
-  return { sketch: sketch.value, history: readHistory(value['history']) };
+  const changed = Number(value['changed']);
+  return {
+    sketch: sketch.value,
+    history: readHistory(value['history']),
+    changed: Number.isFinite(changed) ? changed : 0,
+  };
 }
 
 function readHistory(value: unknown): History {

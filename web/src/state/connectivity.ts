@@ -1,5 +1,5 @@
 import { pointKey, type SketchDocument, type SketchLine, sketchNodes } from '../model/sketch.ts';
-import { cross, distance, length, normalize, subtract } from '../model/vec.ts';
+import { cross, distance, length, normalize, subtract, type Vec3 } from '../model/vec.ts';
 import { removeLines, replaceLines } from './edits.ts';
 
 /** The lines that hang together with the given ones by shared nodes, these included. */
@@ -25,6 +25,30 @@ export function connectedLines(
     }
   }
   return reached;
+}
+
+/** The lines that follow one another from the given ones, up to where more than two meet. */
+export function chainedLines(
+  sketch: SketchDocument,
+  from: ReadonlySet<number>,
+): ReadonlySet<number> {
+  const links = sketchNodes(sketch.lines).filter((node) => node.lines.length === 2);
+  const reached = new Set(from);
+  // A set that grows while it is walked through is walked to its end.
+  for (const line of reached) {
+    for (const { at, lines } of links) {
+      if (lines.includes(line) && lines.every((each) => endsAt(sketch.lines[each], at))) {
+        for (const other of lines) {
+          reached.add(other);
+        }
+      }
+    }
+  }
+  return reached;
+}
+
+function endsAt(line: SketchLine | undefined, at: Vec3): boolean {
+  return line !== undefined && [line.from, line.to].some((end) => pointKey(end) === pointKey(at));
 }
 
 /** Makes one line of two selected ones that lie in a row, again and again until none is left. */

@@ -187,6 +187,16 @@ export function removeKeepOut(sketch: SketchDocument, index: number): SketchDocu
   return withList(sketch, 'keepOut', keepOut);
 }
 
+/** Adds a symmetry at the end of the list. */
+export function addSymmetry(sketch: SketchDocument, symmetry: SketchSymmetry): SketchDocument {
+  return { ...sketch, symmetries: [...(sketch.symmetries ?? []), symmetry] };
+}
+
+export function removeSymmetry(sketch: SketchDocument, index: number): SketchDocument {
+  const symmetries = (sketch.symmetries ?? []).filter((_, i) => i !== index);
+  return withList(sketch, 'symmetries', symmetries);
+}
+
 /** Sets the ground, or takes it away with null. */
 export function setGround(sketch: SketchDocument, ground: number | null): SketchDocument {
   const { ground: _dropped, ...rest } = sketch;

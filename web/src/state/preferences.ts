@@ -1,23 +1,37 @@
 import { effect, type Signal, signal } from '@preact/signals';
 
+/** What the interface can be shown in. */
+export type Language = 'en' | 'de';
+
 /** What a person sets and the next visit keeps; none of it is part of a sketch. */
 export interface Preferences {
+  readonly language: 'auto' | Language;
   readonly theme: 'auto' | 'light' | 'dark';
   readonly autoSolve: boolean;
   readonly preset: string;
   readonly seed: number;
+  /** How long to search, as a multiple of what is usual. */
+  readonly effort: number;
+  /** Parts that the search must not use. */
+  readonly off: readonly string[];
+  /** How many there are of each part; parts that are not counted are plenty. */
+  readonly owned: Readonly<Record<string, number>>;
   /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
   readonly advanced: string;
   readonly show: 'sketch' | 'both' | 'model';
-  readonly colourBy: 'part' | 'layer' | 'component' | 'piece';
+  readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
+  language: 'auto',
   theme: 'auto',
   autoSolve: true,
   preset: 'simple',
   seed: 1,
+  effort: 1,
+  off: [],
+  owned: {},
   advanced: '',
   show: 'both',
   colourBy: 'part',
@@ -26,20 +40,24 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
 
 /** One test a field: what may come back from storage. */
 const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean } = {
+  language: oneOf('auto', 'en', 'de'),
   theme: oneOf('auto', 'light', 'dark'),
   autoSolve: (value) => typeof value === 'boolean',
   preset: (value) => typeof value === 'string' && value.length < 60,
   seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
+  effort: (value) => typeof value === 'number' && value >= 0.01 && value <= 100,
+  off: (value) => Array.isArray(value) && value.length < 200 && value.every(isPartNumber),
+  owned: isCounts,
   advanced: (value) => typeof value === 'string' && value.length < 4000,
   show: oneOf('sketch', 'both', 'model'),
-  colourBy: oneOf('part', 'layer', 'component', 'piece'),
+  colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
 };
 
 /** The part of the browser's storage that is used here. */
 export type TextStorage = Pick<Storage, 'getItem' | 'setItem'>;
 
-const KEY = 'liftarm/preferences';
+export const PREFERENCES_KEY = 'liftarm/preferences';
 
 /** Every stored field that is acceptable, the default for the rest. */
 export function readPreferences(text: string | null): Preferences {
@@ -60,11 +78,11 @@ export function readPreferences(text: string | null): Preferences {
 
 /** The preferences as a signal that writes itself back. A storage that refuses is not an error. */
 export function keptPreferences(storage: TextStorage | null): Signal<Preferences> {
-  const preferences = signal(readPreferences(storage?.getItem(KEY) ?? null));
+  const preferences = signal(readPreferences(storage?.getItem(PREFERENCES_KEY) ?? null));
   effect(() => {
     const text = JSON.stringify(preferences.value);
     try {
-      storage?.setItem(KEY, text);
+      storage?.setItem(PREFERENCES_KEY, text);
     } catch {
       // Full or forbidden: the page works on, it only forgets.
     }
@@ -96,4 +114,18 @@ function typedValue(text: string): number | string | boolean {
 
 function oneOf(...allowed: readonly string[]): (value: unknown) => boolean {
   return (value) => typeof value === 'string' && allowed.includes(value);
+}
+
+function isPartNumber(value: unknown): boolean {
+  return typeof value === 'string' && /^[\w-]{1,20}$/.test(value);
+}
+
+function isCounts(value: unknown): boolean {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    return false;
+  }
+  const entries = Object.entries(value);
+  const good = ([id, count]: [string, unknown]) =>
+    isPartNumber(id) && Number.isInteger(count) && Number(count) >= 0;
+  return entries.length < 500 && entries.every(good);
 }

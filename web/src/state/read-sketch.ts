@@ -17,7 +17,7 @@ export const MAX_LINES = 20000;
 export const MAX_COORDINATE = 2000;
 const LENGTH_TOLERANCE = 0.05;
 const MAX_NAME = 200;
-const MAX_ANNOTATIONS = 20000;
+const MAX_ANNOTATIONS = 10000;
 
 /** Thrown inside this file alone: the place and what would be right. */
 class Refusal extends Error {}

@@ -3,6 +3,7 @@ export interface KeyValueStore {
   get(key: string): Promise<unknown>;
   /** Rejects when the browser refuses, for example because the store is full. */
   set(key: string, value: unknown): Promise<void>;
+  delete(key: string): Promise<void>;
 }
 
 const TABLE = 'values';
@@ -14,15 +15,8 @@ export async function openBrowserStore(name: string): Promise<KeyValueStore> {
   const database = await settled(opening);
   return {
     get: (key) => settled(database.transaction(TABLE, 'readonly').objectStore(TABLE).get(key)),
-    set: (key, value) =>
-      new Promise((resolve, reject) => {
-        const transaction = database.transaction(TABLE, 'readwrite', { durability: 'strict' });
-        transaction.objectStore(TABLE).put(value, key);
-        // The value is safe when the transaction is complete, not when the request is.
-        transaction.oncomplete = () => resolve();
-        transaction.onerror = () => reject(transaction.error);
-        transaction.onabort = () => reject(transaction.error);
-      }),
+    set: (key, value) => written(database, (table) => table.put(value, key)),
+    delete: (key) => written(database, (table) => table.delete(key)),
   };
 }
 
@@ -34,6 +28,9 @@ export function memoryStore(): KeyValueStore {
     set: async (key, value) => {
       values.set(key, structuredClone(value));
     },
+    delete: async (key) => {
+      values.delete(key);
+    },
   };
 }
 
@@ -41,5 +38,19 @@ function settled<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {
     request.onsuccess = () => resolve(request.result);
     request.onerror = () => reject(request.error);
+  });
+}
+
+/** Settles when a change is safe: when its transaction is complete, not when the request is. */
+function written(
+  database: IDBDatabase,
+  change: (table: IDBObjectStore) => IDBRequest,
+): Promise<void> {
+  return new Promise((resolve, reject) => {
+    const transaction = database.transaction(TABLE, 'readwrite', { durability: 'strict' });
+    change(transaction.objectStore(TABLE));
+    transaction.oncomplete = () => resolve();
+    transaction.onerror = () => reject(transaction.error);
+    transaction.onabort = () => reject(transaction.error);
   });
 }

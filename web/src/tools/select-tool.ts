@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
 import type { SketchDocument } from '../model/sketch.ts';
 import { add, scale, subtract, unitVector, type Vec3 } from '../model/vec.ts';
+import { chainedLines } from '../state/connectivity.ts';
 import { mapLines, shift } from '../state/edits.ts';
 import type { GuidePlane, Navigation, ScreenPoint } from '../view/view-types.ts';
 import { meetGuide, planeAxes, planeAxis } from './guide.ts';
@@ -18,7 +19,12 @@ const DRAG_PIXELS = 4;
 
 /** What a press has begun. */
 type Gesture =
-  | { readonly kind: 'press'; readonly at: ScreenPoint; readonly line: number | null }
+  | {
+      readonly kind: 'press';
+      readonly at: ScreenPoint;
+      readonly line: number | null;
+      readonly double: boolean;
+    }
   | { readonly kind: 'box'; readonly from: ScreenPoint; readonly keep: ReadonlySet<number> }
   | {
       readonly kind: 'move';
@@ -64,7 +70,7 @@ export class SelectTool implements Tool {
   }
 
   pointerDown(at: PointerInput): void {
-    this.#gesture = { kind: 'press', at, line: this.#lineAt(at) };
+    this.#gesture = { kind: 'press', at, line: this.#lineAt(at), double: at.double ?? false };
   }
 
   pointerUp(at: PointerInput): void {
@@ -75,7 +81,7 @@ export class SelectTool implements Tool {
     }
     const { store, words } = this.#context;
     if (gesture.kind === 'press' && !farApart(gesture.at, at)) {
-      this.#click(gesture.line, at.shift);
+      this.#click(gesture.line, at.shift, gesture.double);
     } else if (gesture.kind === 'box') {
       store.select([...gesture.keep, ...this.#linesInBox(gesture.from, at)]);
     } else if (gesture.kind === 'move') {
@@ -122,12 +128,16 @@ export class SelectTool implements Tool {
     this.#show({});
   }
 
-  #click(line: number | null, extend: boolean): void {
+  #click(line: number | null, extend: boolean, double: boolean): void {
     const { store } = this.#context;
     if (line === null) {
       if (!extend) {
         store.select([]);
       }
+      return;
+    }
+    if (double) {
+      store.select(chainedLines(store.sketch.value, new Set([line])));
       return;
     }
     if (!extend) {

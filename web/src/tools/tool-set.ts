@@ -1,5 +1,7 @@
+import { ArrayTool } from './array-tool.ts';
 import { BoxTool, GridTool, HexagonTool, KeepOutTool, RectangleTool } from './figure-tools.ts';
 import { LineTool } from './line-tool.ts';
+import { MeasureTool } from './measure-tool.ts';
 import { JointTool, SplitTool } from './node-tools.ts';
 import { SelectTool } from './select-tool.ts';
 import type { Tool, ToolContext, ToolId } from './tool.ts';
@@ -16,6 +18,8 @@ export function createTools(context: ToolContext): ReadonlyMap<ToolId, Tool> {
     new SplitTool(context),
     new JointTool(context),
     new KeepOutTool(context),
+    new ArrayTool(context),
+    new MeasureTool(context),
   ];
   return new Map(tools.map((tool) => [tool.id, tool]));
 }

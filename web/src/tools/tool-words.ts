@@ -12,12 +12,16 @@ export interface ToolWords {
     readonly hexagonNext: string;
     readonly keepOutNext: string;
     readonly keepOutHeight: string;
+    readonly arrayNext: string;
+    readonly arrayNone: string;
+    readonly measureNext: string;
   };
   readonly snap: Readonly<Record<SnapKind, string>>;
   readonly draw: {
     readonly cursorAt: string;
     readonly lineDrawn: string;
     readonly noWholeLength: string;
+    readonly measured: string;
   };
   readonly edits: {
     readonly draw: string;
@@ -25,6 +29,7 @@ export interface ToolWords {
     readonly split: string;
     readonly joint: string;
     readonly keepOut: string;
+    readonly array: string;
   };
 }
 

@@ -29,6 +29,8 @@ export type PlaneMode = 'auto' | AxisName;
 export interface PointerInput extends ScreenPoint {
   readonly shift: boolean;
   readonly kind: 'mouse' | 'pen' | 'touch';
+  /** The second press of a double click. */
+  readonly double?: boolean;
 }
 
 /** A key as the browser names it. */
@@ -91,7 +93,9 @@ export type ToolId =
   | 'hexagon'
   | 'split'
   | 'joint'
-  | 'keepOut';
+  | 'keepOut'
+  | 'array'
+  | 'measure';
 
 /** One way of working with the pointer and the keyboard. One file each. */
 export interface Tool {

@@ -25,7 +25,7 @@ export function Examples() {
             >
               <SketchPicture sketch={example.sketch} />
               <strong>{example.title}</strong>
-              <span class="quiet">{plural(example.sketch.lines.length, 'line', 'lines')}</span>
+              <span class="quiet">{plural(example.sketch.lines.length, 'line')}</span>
             </button>
           </li>
         ))}

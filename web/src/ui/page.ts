@@ -1,20 +1,34 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { MirrorPlane } from '../geometry/mirrors.ts';
+import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
-import type { CheckItem, Problem, Report } from '../model/report.ts';
+import type { Model } from '../model/model.ts';
+import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
+import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
+import type { LibraryEntry } from '../state/library.ts';
 import type { Preferences } from '../state/preferences.ts';
+import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
-import type { Tool, ToolId } from '../tools/tool.ts';
+import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
+import type { SceneView } from '../view/scene-view.ts';
+import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 import type { CommandTable } from './command.ts';
 
 /** How the last search ended, or that one is under way. */
 export type SolvePhase = 'idle' | 'solving' | 'solved' | 'cancelled' | 'refused' | 'failed';
 
 /** One point of the chart. */
-export interface ChartPoint {
-  readonly iterations: number;
-  readonly objective: number;
+export type ChartPoint = Pick<
+  SolveProgress,
+  'iterations' | 'objective' | 'temperature' | 'beams' | 'gaps' | 'collisions' | 'failedConnections'
+>;
+
+/** A layout that was the best for a while. */
+export interface LayoutSnapshot extends ChartPoint {
+  /** The model file of it. */
+  readonly json: string;
 }
 
 /** What the solve section shows. */
@@ -22,6 +36,8 @@ export interface SolveState {
   readonly phase: SolvePhase;
   readonly progress: SolveProgress | null;
   readonly chart: readonly ChartPoint[];
+  /** The best layouts so far, the newest last; see MAX_LAYOUTS. */
+  readonly layouts: readonly LayoutSnapshot[];
   /** One sentence for `refused`, `failed` and `cancelled`. */
   readonly message: string;
 }
@@ -48,6 +64,28 @@ export interface ResultState {
   readonly final: boolean;
 }
 
+/** A model on screen, and what is known of it. */
+export interface ShownModel {
+  readonly source: 'search' | 'file';
+  /** The model file, as it was computed or opened. */
+  readonly json: string;
+  readonly model: Model;
+  /** The sketch it was made for; null for a model from a file that names none. */
+  readonly sketch: SketchDocument | null;
+  /** Null while the search is under way. */
+  readonly report: Report | null;
+  readonly check: CheckReport | null;
+}
+
+/** Somebody who wants presses in the scene before the tools and the camera get them. */
+export interface PointerTaker {
+  /** @returns whether it takes this press, and with it the moves up to the release. */
+  pressed(at: PointerInput): boolean;
+  moved(at: PointerInput): void;
+  /** The press ended, or was broken off. */
+  released(at: PointerInput | null): void;
+}
+
 export interface Example {
   readonly file: string;
   readonly title: string;
@@ -61,7 +99,16 @@ export interface Toast {
   readonly message: string;
 }
 
-export type DialogName = 'palette' | 'help' | 'examples' | 'about' | null;
+export type DialogName = 'bricks' | 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
+
+/** The sketches that this browser keeps. */
+export interface SketchLibraryPage {
+  list(): Promise<readonly LibraryEntry[]>;
+  openId(): string;
+  open(id: string): void;
+  duplicate(id: string): Promise<void>;
+  remove(id: string): Promise<void>;
+}
 
 /** Everything that the panels read, and the few things they do that are no commands. */
 export interface Page {
@@ -75,23 +122,65 @@ export interface Page {
   readonly stale: ReadonlySignal<boolean>;
   /** The sketch is small enough to be solved after each edit. */
   readonly small: ReadonlySignal<boolean>;
+  readonly catalogue: Catalogue;
+  /** The model on screen; while a search is under way, its best layout so far. */
+  readonly shown: ReadonlySignal<ShownModel | null>;
   readonly explode: Signal<number>;
+  /**
+   * How parts are drawn in place of how the model has them: motion, steps, results of checks. Set it
+   * while yours is open and set null when it closes; another model clears it.
+   */
+  readonly display: Signal<PartDisplay | null>;
+  readonly isolation: Signal<Isolation | null>;
+  readonly section: Signal<Section | null>;
+  /** Set while something in the scene can be dragged, null otherwise. */
+  readonly pointerTaker: Signal<PointerTaker | null>;
+  /** The room that is open, null for the drawing; see ui/rooms/room-table.ts. */
+  readonly room: ReadonlySignal<string | null>;
   readonly examples: ReadonlySignal<readonly Example[] | null>;
   readonly dialog: Signal<DialogName>;
   readonly toasts: ReadonlySignal<readonly Toast[]>;
   readonly announcement: ReadonlySignal<string>;
+  /** What cannot be built as drawn. */
+  readonly faults: ReadonlySignal<readonly SketchFault[]>;
+  /** Planes that mirror the sketch onto itself. */
+  readonly mirrors: ReadonlySignal<readonly MirrorPlane[]>;
+  /** The plane that is shown because somebody is about to confirm it. */
+  readonly proposedMirror: Signal<MirrorPlane | null>;
   readonly panelOpen: Signal<boolean>;
   readonly dropping: ReadonlySignal<boolean>;
   readonly webglMissing: ReadonlySignal<boolean>;
   readonly focusedProblem: ReadonlySignal<number | null>;
   readonly hoveredPart: ReadonlySignal<string | null>;
+  /** The brick that was clicked, by index. */
+  readonly pickedPart: Signal<number | null>;
   readonly mac: boolean;
   /** Gives the element that the scene is drawn into. @returns what to do when it goes away. */
   mountScene(host: HTMLElement): () => void;
+  /** The scene: overlays, pictures, places on screen. Null before it is there, or without WebGL. */
+  view(): SceneView | null;
+  /** @param id null goes back to the drawing. */
+  openRoom(id: string | null): void;
+  readonly sketches: SketchLibraryPage;
+  /** Says a sentence to screen readers. */
+  announce(message: string): void;
   useTool(id: ToolId): void;
   openExample(example: Example): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
+  /** Lets a person choose a list of the parts that there are. */
+  importOwned(): void;
+  /** Address of a picture of a part. Rejects without WebGL. */
+  partPicture(id: string): Promise<string>;
+  /** Cuts the model open in its middle; null closes it. */
+  cutAlong(axis: AxisName | null): void;
+  /** Brings a place to the middle of the picture. */
+  showPlace(at: Vec3): void;
+  /** Shows an earlier layout of the last search. */
+  showLayout(layout: LayoutSnapshot): void;
+  mend(fault: SketchFault): void;
+  confirmMirror(plane: MirrorPlane): void;
+  dropSymmetry(index: number): void;
   rename(name: string): void;
   dismissToast(id: number): void;
   /** Typed into the length field of the options bar. */

@@ -1,10 +1,15 @@
+import { shortages } from '../model/brick-set.ts';
+import { fillWords } from '../tools/tool-words.ts';
+import { ChecksSection } from './checks/checks-section.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
+import { LayoutList } from './layout-list.tsx';
 import type { PartRow, ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
 import { ProgressChart } from './progress-chart.tsx';
 import { ResultSection } from './result-section.tsx';
 import { SettingsSection } from './settings-section.tsx';
+import { SketchFaults, SymmetrySection } from './sketch-section.tsx';
 import { SolveSection } from './solve-section.tsx';
 import { plural, text } from './text.ts';
 
@@ -27,11 +32,13 @@ export function Panel() {
       </button>
       <div class="panel-body">
         <SolveSection />
+        <SketchFaults />
         <ResultSection />
         {shown?.final ? <Downloads /> : null}
-        {shown?.final ? <Checks result={shown} /> : null}
+        {shown?.final ? <ChecksSection result={shown} /> : null}
         {shown?.final ? <Parts result={shown} /> : null}
         <SearchChart />
+        <SymmetrySection />
         <SettingsSection />
       </div>
     </aside>
@@ -47,6 +54,7 @@ function SearchChart() {
   return (
     <Section title={text.solve.search}>
       <ProgressChart points={chart} />
+      <LayoutList />
     </Section>
   );
 }
@@ -62,31 +70,10 @@ function Downloads() {
   );
 }
 
-function Checks({ result }: { readonly result: ResultState }) {
-  if (result.items.length === 0) {
-    return null;
-  }
-  const good = result.items.filter((item) => item.ok).length;
-  return (
-    <Section title={text.result.checks} note={`${good} / ${result.items.length}`}>
-      <ul class="checks">
-        {result.items.map((item) => (
-          <li key={item.id} class={item.ok ? 'ok' : 'bad'}>
-            <Icon name={item.ok ? 'check' : 'alert'} />
-            <div>
-              {item.title}
-              {item.detail ? <p class="quiet">{item.detail}</p> : null}
-            </div>
-          </li>
-        ))}
-      </ul>
-    </Section>
-  );
-}
-
 function Parts({ result }: { readonly result: ResultState }) {
+  const short = shortages(result.rows, usePage().preferences.value.owned);
   return (
-    <Section title={text.result.parts} note={plural(result.bricks, 'brick', 'bricks')} open={true}>
+    <Section title={text.result.parts} note={plural(result.bricks, 'brick')} open={true}>
       <table class="parts">
         <thead class="visually-hidden">
           <tr>
@@ -97,7 +84,7 @@ function Parts({ result }: { readonly result: ResultState }) {
         </thead>
         <tbody>
           {result.rows.map((row) => (
-            <PartLine key={`${row.part}/${row.color}`} row={row} />
+            <PartLine key={`${row.part}/${row.color}`} row={row} short={short.get(row.part) ?? 0} />
           ))}
         </tbody>
       </table>
@@ -105,7 +92,8 @@ function Parts({ result }: { readonly result: ResultState }) {
   );
 }
 
-function PartLine({ row }: { readonly row: PartRow }) {
+function PartLine(props: { readonly row: PartRow; readonly short: number }) {
+  const { row, short } = props;
   const hovered = usePage().hoveredPart.value === row.part;
   return (
     <tr class={hovered ? 'hovered' : ''}>
@@ -116,6 +104,9 @@ function PartLine({ row }: { readonly row: PartRow }) {
       </td>
       <td>
         {row.name} <span class="quiet">{row.part}</span>
+        {short > 0 ? (
+          <strong class="short">{fillWords(text.bricks.short, { n: short })}</strong>
+        ) : null}
       </td>
     </tr>
   );

@@ -1,39 +1,121 @@
+import { useState } from 'preact/hooks';
 import { fillWords } from '../tools/tool-words.ts';
 import type { ChartPoint } from './page.ts';
+import { formatNumber } from './text/language.ts';
 import { text } from './text.ts';
 
 const WIDTH = 288;
-const HEIGHT = 56;
+const TALL = 72;
+const LOW = 40;
 const PAD = 3;
 
-/** The points of a curve in the chart's box: time to the right, low objective at the bottom. */
-export function chartPath(points: readonly ChartPoint[]): string {
-  const xs = points.map((point) => point.iterations);
-  const ys = points.map((point) => point.objective);
-  const [x0, x1] = [Math.min(...xs), Math.max(...xs)];
-  const [y0, y1] = [Math.min(...ys), Math.max(...ys)];
-  const px = (x: number) => PAD + ((x - x0) / (x1 - x0 || 1)) * (WIDTH - 2 * PAD);
-  const py = (y: number) => HEIGHT - PAD - ((y - y0) / (y1 - y0 || 1)) * (HEIGHT - 2 * PAD);
+/** One curve of the chart: its name, its colour's class, its values. */
+interface Curve {
+  readonly name: string;
+  readonly look: 'objective' | 'temperature' | 'gaps' | 'collisions' | 'failed';
+  readonly value: (point: ChartPoint) => number;
+}
+
+const ABOVE: readonly Curve[] = [
+  { name: text.solve.objective, look: 'objective', value: (p) => p.objective },
+  { name: text.solve.temperature, look: 'temperature', value: (p) => p.temperature },
+];
+
+/** What the objective punishes most, as counts of the best layout. */
+const BELOW: readonly Curve[] = [
+  { name: text.result.gaps, look: 'gaps', value: (p) => p.gaps },
+  { name: text.result.collisions, look: 'collisions', value: (p) => p.collisions },
+  { name: text.result.failedConnections, look: 'failed', value: (p) => p.failedConnections },
+];
+
+/**
+ * A curve in a box: steps of the search to the right, low values at the bottom.
+ * @param span lowest and highest value of the box.
+ */
+export function chartPath(
+  points: readonly ChartPoint[],
+  value: (point: ChartPoint) => number,
+  span: readonly [number, number],
+  height: number,
+): string {
+  const [y0, y1] = span;
+  const py = (y: number) => height - PAD - ((y - y0) / (y1 - y0 || 1)) * (height - 2 * PAD);
   return points
     .map((point, i) => {
-      const at = `${px(point.iterations).toFixed(1)} ${py(point.objective).toFixed(1)}`;
+      const at = `${placeOf(points, point).toFixed(1)} ${py(value(point)).toFixed(1)}`;
       return `${i === 0 ? 'M' : 'L'}${at}`;
     })
     .join('');
 }
 
-/** The objective over the steps of the search. */
+function placeOf(points: readonly ChartPoint[], point: ChartPoint): number {
+  const first = points[0]?.iterations ?? 0;
+  const last = points.at(-1)?.iterations ?? 1;
+  return PAD + ((point.iterations - first) / (last - first || 1)) * (WIDTH - 2 * PAD);
+}
+
+function spanOf(
+  points: readonly ChartPoint[],
+  values: readonly ((point: ChartPoint) => number)[],
+): [number, number] {
+  const all = points.flatMap((point) => values.map((value) => value(point)));
+  return [Math.min(...all), Math.max(...all)];
+}
+
+/** Objective, temperature and counts of the best layout over the steps of the search. */
 export function ProgressChart({ points }: { readonly points: readonly ChartPoint[] }) {
+  const [at, setAt] = useState<number | null>(null);
   const label = fillWords(text.solve.chartText, {
-    from: (points[0]?.objective ?? 0).toFixed(2),
-    to: (points.at(-1)?.objective ?? 0).toFixed(2),
+    from: formatNumber(points[0]?.objective ?? 0, 2),
+    to: formatNumber(points.at(-1)?.objective ?? 0, 2),
   });
+  const chosen = (at === null ? undefined : points[at]) ?? points.at(-1);
+  const onMove = (event: PointerEvent) => {
+    const box = (event.currentTarget as Element).getBoundingClientRect();
+    const x = ((event.clientX - box.left) / box.width) * WIDTH;
+    const gaps = points.map((point) => Math.abs(placeOf(points, point) - x));
+    setAt(gaps.indexOf(Math.min(...gaps)));
+  };
   return (
-    <figure class="chart">
-      <svg viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="img" aria-label={label}>
-        <path d={chartPath(points)} />
+    <figure class="chart" onPointerMove={onMove} onPointerLeave={() => setAt(null)}>
+      <svg viewBox={`0 0 ${WIDTH} ${TALL + LOW}`} role="img" aria-label={label}>
+        {ABOVE.map(({ look, value }) => (
+          <path
+            key={look}
+            class={look}
+            d={chartPath(points, value, spanOf(points, [value]), TALL)}
+          />
+        ))}
+        <g transform={`translate(0 ${TALL})`}>
+          <path class="rule" d={`M0 0H${WIDTH}`} />
+          {BELOW.map(({ look, value }) => (
+            <path key={look} class={look} d={countPath(points, value)} />
+          ))}
+        </g>
+        {at !== null && chosen ? (
+          <path class="rule" d={`M${placeOf(points, chosen)} 0V${TALL + LOW}`} />
+        ) : null}
       </svg>
-      <figcaption class="quiet">{text.solve.chart}</figcaption>
+      <figcaption>
+        {[...ABOVE, ...BELOW].map((curve) => (
+          <span key={curve.look} class={`legend ${curve.look}`}>
+            {curve.name} <b>{chosen ? shortNumber(curve.value(chosen)) : ''}</b>
+          </span>
+        ))}
+      </figcaption>
     </figure>
   );
+}
+
+/** Counts share one scale, from nothing. */
+function countPath(points: readonly ChartPoint[], value: (point: ChartPoint) => number): string {
+  const [, high] = spanOf(
+    points,
+    BELOW.map((curve) => curve.value),
+  );
+  return chartPath(points, value, [0, Math.max(1, high)], LOW);
+}
+
+function shortNumber(value: number): string {
+  return formatNumber(value, Number.isInteger(value) ? 0 : value < 1 ? 3 : 2);
 }

@@ -3,6 +3,7 @@ import { fillWords } from '../tools/tool-words.ts';
 import { Icon } from './icon.tsx';
 import type { ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
+import { formatNumber } from './text/language.ts';
 import { text } from './text.ts';
 
 const SHOWN_PROBLEMS = 12;
@@ -91,19 +92,23 @@ function TimeAndMass({ result }: { readonly result: ResultState }) {
       {seconds ? (
         <div>
           <dt>{text.result.seconds}</dt>
-          <dd>{fillWords(text.result.secondsText, { n: seconds.total.toFixed(2) })}</dd>
+          <dd>{fillWords(text.result.secondsText, { n: formatNumber(seconds.total, 2) })}</dd>
         </div>
       ) : null}
       {mass ? (
         <div>
           <dt>{text.result.mass}</dt>
-          <dd>{fillWords(text.result.massText, { n: mass.toFixed(0) })}</dd>
+          <dd>{fillWords(text.result.massText, { n: formatNumber(mass) })}</dd>
         </div>
       ) : null}
       {size ? (
         <div class="span">
           <dt>{text.result.size}</dt>
-          <dd>{size.map((value) => Math.round(value * 10) / 10).join(' × ')}</dd>
+          <dd>
+            {size
+              .map((value) => formatNumber(Math.round(value * 10) / 10, value % 1 === 0 ? 0 : 1))
+              .join(' × ')}
+          </dd>
         </div>
       ) : null}
     </>

@@ -1,10 +1,14 @@
 import { About } from './about.tsx';
+import { BrickSet } from './brick-set.tsx';
 import { Examples } from './examples.tsx';
 import { Help } from './help.tsx';
 import type { Page } from './page.ts';
 import { PageProvider, usePage } from './page-context.ts';
 import { Palette } from './palette.tsx';
 import { Panel } from './panel.tsx';
+import { RoomHost } from './rooms/room-host.tsx';
+import { findRoom } from './rooms/room-table.ts';
+import { Sketches } from './sketches.tsx';
 import { Stage } from './stage.tsx';
 import { text } from './text.ts';
 import { Toasts } from './toasts.tsx';
@@ -15,6 +19,19 @@ import { TopBar } from './top-bar.tsx';
 export function Root({ page }: { readonly page: Page }) {
   return (
     <PageProvider value={page}>
+      <Editor />
+      <Rooms />
+      <Toasts />
+      <Dialogs />
+    </PageProvider>
+  );
+}
+
+/** The drawing with its bars and panels; it waits while a room is open. */
+function Editor() {
+  const waiting = findRoom(usePage().room.value) !== null;
+  return (
+    <div class="editor" inert={waiting}>
       <button
         type="button"
         class="skip"
@@ -28,10 +45,13 @@ export function Root({ page }: { readonly page: Page }) {
         <Stage />
         <Panel />
       </div>
-      <Toasts />
-      <Dialogs />
-    </PageProvider>
+    </div>
   );
+}
+
+function Rooms() {
+  const room = findRoom(usePage().room.value);
+  return room ? <RoomHost room={room} /> : null;
 }
 
 function Dialogs() {
@@ -42,6 +62,10 @@ function Dialogs() {
       return <Help />;
     case 'examples':
       return <Examples />;
+    case 'sketches':
+      return <Sketches />;
+    case 'bricks':
+      return <BrickSet />;
     case 'about':
       return <About />;
     case null:

@@ -1,70 +1,141 @@
 import type { Preferences } from '../state/preferences.ts';
 import { fillWords } from '../tools/tool-words.ts';
-import { CommandButton, Section } from './controls.tsx';
+import { CommandButton, Section, Segmented } from './controls.tsx';
 import { usePage } from './page-context.ts';
+import { PresetPicture } from './preset-picture.tsx';
 import { text } from './text.ts';
 
-/** What the search is asked for: preset, seed, single options. */
+type Change = (part: Partial<Preferences>) => void;
+
+const EFFORTS = { quick: 0.3, usual: 1, thorough: 4 } as const;
+type EffortName = keyof typeof EFFORTS;
+
+/** What the search is asked for: preset, bricks, effort, seed, single options. */
 export function SettingsSection() {
   const { preferences } = usePage();
-  const now = preferences.value;
-  const change = (part: Partial<Preferences>) => {
+  const change: Change = (part) => {
     preferences.value = { ...preferences.peek(), ...part };
   };
-  const badRow = now.advanced
-    .split('\n')
-    .find((row) => row.trim() !== '' && !/^\s*[^=\s]+\s*=\s*\S/.test(row));
   return (
     <Section title={text.settings.title}>
       <div class="settings">
-        <label class="field">
-          <span>{text.settings.preset}</span>
-          <select
-            value={now.preset}
-            onChange={(event) => change({ preset: event.currentTarget.value })}
-          >
-            {Object.entries(text.settings.presets).map(([value, label]) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </label>
-        <div class="field">
-          <label for="seed">{text.settings.seed}</label>
-          <div class="seed-row">
-            <input
-              id="seed"
-              type="number"
-              min="0"
-              max={2 ** 31}
-              step="1"
-              value={now.seed}
-              aria-describedby="seed-help"
-              onChange={(event) => {
-                const seed = Math.floor(Number(event.currentTarget.value));
-                change({ seed: Number.isFinite(seed) ? Math.min(Math.max(seed, 0), 2 ** 31) : 1 });
-              }}
-            />
-            <CommandButton id="newSeed" />
-          </div>
-          <p class="quiet" id="seed-help">
-            {text.settings.seedHelp}
-          </p>
-        </div>
-        <label class="field">
-          <span>{text.settings.advanced}</span>
-          <textarea
-            rows={3}
-            spellcheck={false}
-            value={now.advanced}
-            onChange={(event) => change({ advanced: event.currentTarget.value })}
-          />
-          <span class="quiet">
-            {badRow ? fillWords(text.settings.badRow, { row: badRow }) : text.settings.advancedHelp}
-          </span>
-        </label>
+        <PresetChoice change={change} />
+        <BrickChoice />
+        <EffortChoice change={change} />
+        <SeedField change={change} />
+        <AdvancedField change={change} />
       </div>
     </Section>
+  );
+}
+
+function PresetChoice({ change }: { readonly change: Change }) {
+  const { preset } = usePage().preferences.value;
+  return (
+    <fieldset class="presets">
+      <legend>{text.settings.preset}</legend>
+      {Object.entries(text.settings.presets).map(([value, label]) => (
+        <label key={value} class="preset">
+          <input
+            type="radio"
+            name="preset"
+            checked={preset === value}
+            onChange={() => change({ preset: value })}
+          />
+          <PresetPicture preset={value} />
+          <span>{label}</span>
+        </label>
+      ))}
+    </fieldset>
+  );
+}
+
+function BrickChoice() {
+  const { off, owned } = usePage().preferences.value;
+  const counted = Object.keys(owned).length;
+  const some = off.length + counted > 0;
+  return (
+    <div class="field">
+      <span>{text.settings.bricks}</span>
+      <CommandButton
+        id="bricks"
+        words={
+          some
+            ? fillWords(text.settings.bricksSome, { off: off.length, counted })
+            : text.settings.bricksAll
+        }
+        class="secondary"
+      />
+    </div>
+  );
+}
+
+function EffortChoice({ change }: { readonly change: Change }) {
+  const { effort } = usePage().preferences.value;
+  const names = Object.keys(EFFORTS) as EffortName[];
+  const now = names.find((name) => EFFORTS[name] === effort) ?? 'usual';
+  return (
+    <div class="field">
+      <span>{text.settings.effort}</span>
+      <Segmented
+        name="effort"
+        legend={text.settings.effort}
+        choices={names.map((value) => ({ value, label: text.settings.efforts[value] }))}
+        value={now}
+        onChange={(name) => change({ effort: EFFORTS[name] })}
+      />
+    </div>
+  );
+}
+
+function SeedField({ change }: { readonly change: Change }) {
+  const { seed } = usePage().preferences.value;
+  return (
+    <div class="field">
+      <label for="seed">{text.settings.seed}</label>
+      <div class="seed-row">
+        <input
+          id="seed"
+          type="number"
+          min="0"
+          max={2 ** 31}
+          step="1"
+          value={seed}
+          aria-describedby="seed-help"
+          onChange={(event) => {
+            const typed = Math.floor(Number(event.currentTarget.value));
+            change({ seed: Number.isFinite(typed) ? Math.min(Math.max(typed, 0), 2 ** 31) : 1 });
+          }}
+        />
+        <CommandButton id="newSeed" />
+      </div>
+      <p class="quiet" id="seed-help">
+        {text.settings.seedHelp}
+      </p>
+    </div>
+  );
+}
+
+function AdvancedField({ change }: { readonly change: Change }) {
+  const { advanced } = usePage().preferences.value;
+  const badRow = advanced
+    .split('\n')
+    .find((row) => row.trim() !== '' && !/^\s*[^=\s]+\s*=\s*\S/.test(row));
+  return (
+    <details class="advanced" open={advanced !== ''}>
+      <summary>{text.settings.advanced}</summary>
+      <label class="field">
+        <span class="visually-hidden">{text.settings.advanced}</span>
+        <textarea
+          rows={3}
+          spellcheck={false}
+          value={advanced}
+          onChange={(event) => change({ advanced: event.currentTarget.value })}
+        />
+        <span class="quiet">
+          {badRow ? fillWords(text.settings.badRow, { row: badRow }) : text.settings.advancedHelp}
+        </span>
+      </label>
+    </details>
   );
 }

@@ -1,9 +1,8 @@
 import { CommandButton } from './controls.tsx';
 import { usePage } from './page-context.ts';
 import { ProgressChart } from './progress-chart.tsx';
+import { formatNumber } from './text/language.ts';
 import { text } from './text.ts';
-
-const NUMBERS = new Intl.NumberFormat('en');
 
 /** The button that starts the search, and everything about one under way. */
 export function SolveSection() {
@@ -68,7 +67,7 @@ function SolveProgressView() {
       <div class="progress-head">
         <span>{name}</span>
         <span class="quiet">
-          {progress ? `${NUMBERS.format(progress.iterations)} ${text.solve.iterations}` : ''}
+          {progress ? `${formatNumber(progress.iterations)} ${text.solve.iterations}` : ''}
         </span>
       </div>
       <progress max="1" value={fraction} aria-label={name} />

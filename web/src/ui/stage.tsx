@@ -1,6 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
+import { PartCard } from './part-card.tsx';
 import { text } from './text.ts';
 import { ToolOptions } from './tool-options.tsx';
 import { ViewBar } from './view-bar.tsx';
@@ -23,6 +24,7 @@ export function Stage() {
         <ToolOptions />
         <Hint />
       </div>
+      <PartCard />
       <ViewBar />
       {page.dropping.value ? (
         <div class="drop-veil">

@@ -25,7 +25,8 @@ const SELECTION_COMMANDS = [
 export function ToolOptions() {
   const page = usePage();
   const tool = page.tool.value;
-  const drawing = tool.id !== 'select' && tool.id !== 'split' && tool.id !== 'joint';
+  const drawing =
+    tool.id !== 'select' && tool.id !== 'split' && tool.id !== 'joint' && tool.id !== 'measure';
   const selected = page.store.selection.value.size;
   if (drawing) {
     return (

@@ -5,7 +5,8 @@ import { text } from './text.ts';
 /** The commands of the rail, in groups. */
 const GROUPS: readonly (readonly string[])[] = [
   ['tool.select', 'tool.line', 'tool.rectangle', 'tool.box', 'tool.grid', 'tool.hexagon'],
-  ['tool.split', 'tool.joint', 'tool.keepOut'],
+  ['tool.split', 'tool.array', 'tool.measure'],
+  ['tool.joint', 'tool.keepOut'],
 ];
 
 /** The tools, one of them in use, and delete. */

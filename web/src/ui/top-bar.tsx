@@ -27,6 +27,7 @@ export function TopBar() {
       </h1>
       <span class="divider wide-only" />
       <CommandButton id="examples" words={text.examples.title} class="wide-only plain" />
+      <CommandButton id="sketches" class="wide-only" />
       <CommandButton id="open" class="wide-only" />
       <CommandButton id="new" class="wide-only" />
       <span class="divider wide-only" />

@@ -1,7 +1,11 @@
 import type { Preferences } from '../state/preferences.ts';
-import { CommandButton, Segmented } from './controls.tsx';
+import { CommandButton, Keys, Segmented } from './controls.tsx';
+import { Flyout } from './flyout.tsx';
+import { Icon } from './icon.tsx';
+import { LookInside } from './look-inside.tsx';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
+import { ColourChoice, ExplodeSlider } from './view-controls.tsx';
 
 const SHOW: readonly { value: Preferences['show']; label: string }[] = [
   { value: 'sketch', label: text.view.sketch },
@@ -9,70 +13,52 @@ const SHOW: readonly { value: Preferences['show']; label: string }[] = [
   { value: 'model', label: text.view.model },
 ];
 
-const COLOURS: readonly { value: Preferences['colourBy']; label: string }[] = [
-  { value: 'part', label: text.view.byPart },
-  { value: 'layer', label: text.view.byLayer },
-  { value: 'component', label: text.view.byComponent },
-  { value: 'piece', label: text.view.byPiece },
-];
+const VIEWS = [
+  'viewIso',
+  'viewTop',
+  'viewFront',
+  'viewRight',
+  'viewBack',
+  'viewLeft',
+  'viewBottom',
+  'projection',
+] as const;
 
 /** How the scene is looked at. */
 export function ViewBar() {
-  const { preferences, explode, result } = usePage();
-  const { show, colourBy } = preferences.value;
-  const noModel = result.value === null;
+  const { preferences } = usePage();
   return (
     <div class="view-bar floating" role="toolbar" aria-label={text.view.title}>
       <Segmented
         name="show"
         legend={text.view.show}
         choices={SHOW}
-        value={show}
+        value={preferences.value.show}
         onChange={(value) => {
           preferences.value = { ...preferences.peek(), show: value };
         }}
       />
-      <label class="slider wide-only">
-        <span>{text.view.explode}</span>
-        <input
-          type="range"
-          min="0"
-          max="1"
-          step="0.01"
-          value={explode.value}
-          disabled={noModel}
-          onInput={(event) => {
-            explode.value = Number(event.currentTarget.value);
-          }}
-        />
-      </label>
-      <label class="wide-only select-field">
-        <span>{text.view.colour}</span>
-        <select
-          value={colourBy}
-          disabled={noModel}
-          title={text.view.colour}
-          onChange={(event) => {
-            const chosen = COLOURS.find((each) => each.value === event.currentTarget.value);
-            if (chosen) {
-              preferences.value = { ...preferences.peek(), colourBy: chosen.value };
-            }
-          }}
-        >
-          {COLOURS.map((each) => (
-            <option key={each.value} value={each.value}>
-              {each.label}
-            </option>
-          ))}
-        </select>
-      </label>
+      <ExplodeSlider class="wide-only" />
+      <ColourChoice class="wide-only" />
       <span class="divider wide-only" />
-      <CommandButton id="viewIso" class="wide-only" />
-      <CommandButton id="viewTop" class="wide-only" />
-      <CommandButton id="viewFront" class="wide-only" />
-      <CommandButton id="viewRight" class="wide-only" />
-      <CommandButton id="projection" class="wide-only" />
+      <LookInside />
+      <Flyout icon="cube" label={text.view.views} rows={true}>
+        {VIEWS.map((id) => (
+          <ViewRow key={id} id={id} />
+        ))}
+      </Flyout>
       <CommandButton id="fit" />
     </div>
+  );
+}
+
+function ViewRow({ id }: { readonly id: string }) {
+  const command = usePage().commands.get(id);
+  return (
+    <button type="button" class="menu-row" aria-pressed={command.checked?.()} onClick={command.run}>
+      <Icon name={command.checked?.() ? 'check' : command.icon} />
+      <span>{command.label}</span>
+      {command.shortcut ? <Keys shortcut={command.shortcut} /> : null}
+    </button>
   );
 }

@@ -1,20 +1,30 @@
 import { Group } from 'three';
 import { type Bounds, boundsOfPoints, modelBounds, modelCorners } from '../model/bounds.ts';
-import { colourHex, groupHex, mixHex } from '../model/colours.ts';
+import { mixHex } from '../model/colours.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
 import { add, ORIGIN, scale, subtract, type Vec3 } from '../model/vec.ts';
 import { type BatchStyle, BrickBatch } from './brick-batch.ts';
 import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMaterials } from './bricks/brick-materials.ts';
 import type { DetailName } from './bricks/detail.ts';
+import { schemeHex } from './colour-scheme.ts';
 import { pickPart } from './part-picking.ts';
-import type { ColourScheme, Isolation, PartPick, Ray } from './view-types.ts';
+import type { ColourScheme, Isolation, PartDisplay, PartPick, Ray } from './view-types.ts';
 
 /** Parts that stand out: hovered and selected ones, by index. */
 export interface PartMarks {
   readonly selected?: ReadonlySet<number>;
   readonly hovered?: number | null;
   readonly errors?: ReadonlySet<number>;
+}
+
+/** Paleness of some parts, or of all. */
+interface Fade {
+  /** sRGB. */
+  readonly towards: number;
+  /** 0 to 1. */
+  readonly amount: number;
+  readonly only: true | ReadonlySet<number>;
 }
 
 /** How far an exploded model spreads at most, as a multiple of its size. */
@@ -33,8 +43,11 @@ export class ModelLayer {
   #scheme: ColourScheme = 'part';
   #marks: PartMarks = {};
   #isolation: Isolation | null = null;
+  #display: PartDisplay = {};
+  /** The model's parts where they stand now: as built, or as the display has them. */
+  #parts: readonly PlacedPart[] = [];
   #explode = 0;
-  #fade: { readonly towards: number; readonly amount: number } | null = null;
+  #fade: Fade | null = null;
 
   constructor(library: BrickLibrary, materials: BrickMaterials) {
     this.#library = library;
@@ -69,12 +82,14 @@ export class ModelLayer {
 
   setModel(model: Model | null): void {
     this.#model = model;
+    this.#display = {};
+    this.#parts = model?.parts ?? [];
     this.#bounds = model ? modelBounds(model, this.#library.catalogue) : null;
     this.#rebuild();
   }
 
-  /** Mixes all colours towards `towards`; null gives them back. */
-  setFade(fade: { readonly towards: number; readonly amount: number } | null): void {
+  /** Mixes colours towards one; null gives them back. */
+  setFade(fade: Fade | null): void {
     this.#fade = fade;
     this.#paint();
   }
@@ -92,6 +107,31 @@ export class ModelLayer {
   setIsolation(isolation: Isolation | null): void {
     this.#isolation = isolation;
     this.#rebuild();
+  }
+
+  /**
+   * Draws parts otherwise than the model has them; null ends that. Only what differs from the last
+   * time is done again, so that poses may change with every frame.
+   */
+  setDisplay(display: PartDisplay | null): void {
+    const before = this.#display;
+    this.#display = display ?? {};
+    if (before.poses !== this.#display.poses) {
+      this.#parts = posedParts(this.#model?.parts ?? [], this.#display.poses);
+    }
+    if (before.looks !== this.#display.looks) {
+      this.#rebuild();
+      return;
+    }
+    if (before.poses !== this.#display.poses) {
+      this.#place();
+    }
+    if (
+      before.colours !== this.#display.colours ||
+      before.highlighted !== this.#display.highlighted
+    ) {
+      this.#paint();
+    }
   }
 
   /** Moves parts apart from the middle of the model. @param amount 0 (as built) to 1. */
@@ -120,11 +160,10 @@ export class ModelLayer {
 
   /** The nearest part that the ray meets among those shown, or null. */
   pick(ray: Ray): PartPick | null {
-    const model = this.#model;
-    if (!model || !this.group.visible) {
+    if (!this.#model || !this.group.visible) {
       return null;
     }
-    return pickPart(ray, model.parts, {
+    return pickPart(ray, this.#parts, {
       library: this.#library,
       shift: (index) => this.#shift(index),
       isPickable: (index) => this.#styleOf(index) === 'solid',
@@ -133,7 +172,7 @@ export class ModelLayer {
 
   /** Middle of a part as drawn, modules. */
   partCentre(index: number): Vec3 | null {
-    const part = this.#model?.parts[index];
+    const part = this.#parts[index];
     return part ? add(part.position, this.#shift(index)) : null;
   }
 
@@ -176,6 +215,10 @@ export class ModelLayer {
   }
 
   #styleOf(index: number): BatchStyle | 'hidden' {
+    const look = this.#display.looks?.get(index);
+    if (look) {
+      return look;
+    }
     const isolation = this.#isolation;
     if (!isolation || isolation.parts.has(index)) {
       return 'solid';
@@ -184,9 +227,8 @@ export class ModelLayer {
   }
 
   #place(): void {
-    const parts = this.#model?.parts ?? [];
     for (const batch of this.#batches) {
-      batch.place(parts, (index) => this.#shift(index));
+      batch.place(this.#parts, (index) => this.#shift(index));
     }
   }
 
@@ -200,7 +242,7 @@ export class ModelLayer {
   }
 
   #explodedModel(model: Model): Model {
-    const moved = model.parts.map((part, index) => ({
+    const moved = this.#parts.map((part, index) => ({
       ...part,
       position: add(part.position, this.#shift(index)),
     }));
@@ -218,14 +260,15 @@ export class ModelLayer {
     if (!part) {
       return 0;
     }
-    let hex = schemeHex(part, this.#scheme);
-    if (this.#fade) {
+    const given = this.#display.colours?.[index] ?? null;
+    let hex = given ?? schemeHex(part, this.#scheme, this.#library.catalogue);
+    if (this.#fade && (this.#fade.only === true || this.#fade.only.has(index))) {
       hex = mixHex(hex, this.#fade.towards, this.#fade.amount);
     }
     if (this.#marks.errors?.has(index)) {
       hex = mixHex(hex, MARK_HEX.error, 0.7);
     }
-    if (this.#marks.selected?.has(index)) {
+    if (this.#marks.selected?.has(index) || this.#display.highlighted?.has(index)) {
       hex = mixHex(hex, MARK_HEX.selected, 0.65);
     }
     return this.#marks.hovered === index ? mixHex(hex, MARK_HEX.hovered, 0.4) : hex;
@@ -234,20 +277,15 @@ export class ModelLayer {
 
 const MARK_HEX = { error: 0xe5484d, selected: 0x2f7de1, hovered: 0x7db4f5 } as const;
 
-function schemeHex(part: PlacedPart, scheme: ColourScheme): number {
-  switch (scheme) {
-    case 'part':
-      return colourHex(part.color);
-    case 'layer':
-      // 0, -1, 1, -2, 2, ... so that layers on both sides of a line differ.
-      return groupHex(part.component < 0 ? -1 : layerIndex(part.layer));
-    case 'component':
-      return groupHex(part.component);
-    case 'piece':
-      return groupHex(part.piece);
-  }
-}
-
-function layerIndex(layer: number): number {
-  return layer > 0 ? 2 * layer : -2 * layer - (layer < 0 ? 1 : 0);
+/** Parts with those moved that have a pose. */
+function posedParts(
+  parts: readonly PlacedPart[],
+  poses: PartDisplay['poses'],
+): readonly PlacedPart[] {
+  return poses
+    ? parts.map((part, index) => {
+        const pose = poses.get(index);
+        return pose ? { ...part, ...pose } : part;
+      })
+    : parts;
 }

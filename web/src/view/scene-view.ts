@@ -1,5 +1,5 @@
 import { Plane, Vector2, Vector3 } from 'three';
-import { type Bounds, corners, sketchBounds, unionBounds } from '../model/bounds.ts';
+import { corners, sketchBounds, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { unitVector, type Vec3 } from '../model/vec.ts';
@@ -7,14 +7,17 @@ import { BrickLibrary } from './bricks/brick-library.ts';
 import { BrickMaterials } from './bricks/brick-materials.ts';
 import { chooseDetail } from './level-of-detail.ts';
 import { ModelLayer, type PartMarks } from './model-layer.ts';
+import type { OverlayContext, SceneOverlay } from './overlays/overlay.ts';
+import { OverlayList } from './overlays/overlay-list.ts';
 import { CameraRig } from './scene/camera-rig.ts';
+import { watchContext } from './scene/context-watch.ts';
+import { DEFAULT_BOX, prefersReducedMotion } from './scene/defaults.ts';
 import { ScreenSpace } from './scene/screen-space.ts';
 import { Stage } from './scene/stage.ts';
 import { viewTheme } from './scene/theme.ts';
-import { GuidePlaneLayer } from './sketch/guide-plane-layer.ts';
-import { PreviewLayer } from './sketch/preview-layer.ts';
-import { SketchLayer } from './sketch/sketch-layer.ts';
+import { SketchScene } from './sketch/sketch-scene.ts';
 import { pickLine, pickNode } from './sketch-picking.ts';
+import { canvasToPng } from './still/canvas-png.ts';
 import type {
   ColourScheme,
   GuidePlane,
@@ -22,6 +25,7 @@ import type {
   LinePreview,
   ModelOptions,
   Navigation,
+  PartDisplay,
   Pick,
   Projected,
   Projection,
@@ -52,15 +56,13 @@ export class SceneView {
   readonly #materials = new BrickMaterials();
   readonly #library: BrickLibrary;
   readonly #model: ModelLayer;
-  readonly #sketch = new SketchLayer();
-  readonly #guide = new GuidePlaneLayer();
-  readonly #preview = new PreviewLayer();
+  readonly #sketch: SketchScene;
+  readonly #overlays = new OverlayList(() => this.#overlayContext());
   readonly #resize: ResizeObserver;
   readonly #screen: ScreenSpace;
-  #marks: SketchMarks = {};
-  #previewLine: LinePreview | null = null;
+  readonly #unwatch: () => void;
   #mode: ViewMode = 'both';
-  #dimmed = false;
+  #dimmed: boolean | ReadonlySet<number> = false;
   #frame = 0;
   #contextLost = false;
 
@@ -70,8 +72,8 @@ export class SceneView {
     this.#stage = new Stage(canvas);
     this.#library = new BrickLibrary(options.catalogue);
     this.#model = new ModelLayer(this.#library, this.#materials);
-    const layers = [this.#model, this.#sketch, this.#guide, this.#preview];
-    this.#stage.scene.add(...layers.map((layer) => layer.group));
+    this.#sketch = new SketchScene(this.#stage.theme);
+    this.#stage.scene.add(this.#model.group, ...this.#sketch.objects, this.#overlays.group);
     this.#rig = new CameraRig(canvas, {
       reducedMotion: options.reducedMotion ?? prefersReducedMotion(),
       onChange: () => this.invalidate(),
@@ -79,8 +81,7 @@ export class SceneView {
     this.#screen = new ScreenSpace(canvas, () => this.#rig.camera);
     this.#resize = new ResizeObserver(() => this.#fitCanvas());
     this.#resize.observe(canvas);
-    canvas.addEventListener('webglcontextlost', this.#onContextLost);
-    canvas.addEventListener('webglcontextrestored', this.#onContextRestored);
+    this.#unwatch = watchContext(canvas, this.#onContext);
     this.setTheme(options.theme ?? 'light');
     this.#fitCanvas();
     this.#applyMode();
@@ -94,6 +95,7 @@ export class SceneView {
     if (model !== this.#model.model) {
       this.#model.setModel(model);
       this.#reframe();
+      this.#overlays.refresh();
     }
     this.#dimmed = options.dimmed ?? false;
     this.#applyFade();
@@ -102,10 +104,7 @@ export class SceneView {
 
   /** Shows a sketch with what stands out in it; null takes it away. */
   setSketch(sketch: SketchDocument | null, marks: SketchMarks = {}): void {
-    const changed = sketch !== this.#sketch.sketch;
-    this.#marks = marks;
-    this.#sketch.set(sketch, marks, this.#stage.theme);
-    if (changed) {
+    if (this.#sketch.set(sketch, marks)) {
       this.#reframe();
     }
     this.invalidate();
@@ -113,14 +112,13 @@ export class SceneView {
 
   /** Shows the plane that is drawn on, with the unit grid round the cursor. */
   setGuidePlane(plane: GuidePlane | null, cursor: Vec3 | null = null): void {
-    this.#guide.set(plane, cursor);
+    this.#sketch.setGuidePlane(plane, cursor);
     this.invalidate();
   }
 
   /** Shows the line being drawn. Place its length label with project(). */
   setPreview(preview: LinePreview | null): void {
-    this.#previewLine = preview;
-    this.#preview.set(preview, this.#stage.theme);
+    this.#sketch.setPreview(preview);
     this.invalidate();
   }
 
@@ -133,10 +131,9 @@ export class SceneView {
   setTheme(name: ThemeName): void {
     const theme = viewTheme(name);
     this.#stage.setTheme(theme);
-    this.#guide.setTheme(theme);
-    this.#sketch.set(this.#sketch.sketch, this.#marks, theme);
-    this.#preview.set(this.#previewLine, theme);
+    this.#sketch.setTheme(theme);
     this.#applyFade();
+    this.#overlays.refresh();
     this.invalidate();
   }
 
@@ -163,6 +160,20 @@ export class SceneView {
   markParts(marks: PartMarks): void {
     this.#model.setMarks(marks);
     this.invalidate();
+  }
+
+  /** Draws parts otherwise than the model has them (PartDisplay); null ends that. */
+  display(display: PartDisplay | null): void {
+    this.#model.setDisplay(display);
+    this.#stage.shadowChanged();
+    this.invalidate();
+  }
+
+  /** Draws something of somebody else's. @returns what takes it away again. */
+  addOverlay(overlay: SceneOverlay): () => void {
+    const remove = this.#overlays.add(overlay);
+    this.invalidate();
+    return remove;
   }
 
   /** Cuts the model open; null closes it. */
@@ -280,15 +291,7 @@ export class SceneView {
     this.#applySize(width, height);
     this.#draw();
     // The bitmap is taken at the call, so the canvas may have its own size back at once.
-    const picture = new Promise<Blob>((resolve, reject) => {
-      this.#canvas.toBlob((blob) => {
-        if (blob) {
-          resolve(blob);
-        } else {
-          reject(new Error('The browser could not make a picture of the view.'));
-        }
-      }, 'image/png');
-    });
+    const picture = canvasToPng(this.#canvas);
     renderer.setPixelRatio(before.ratio);
     this.#applySize(before.width, before.height);
     this.#draw();
@@ -298,9 +301,8 @@ export class SceneView {
   dispose(): void {
     cancelAnimationFrame(this.#frame);
     this.#resize.disconnect();
-    this.#canvas.removeEventListener('webglcontextlost', this.#onContextLost);
-    this.#canvas.removeEventListener('webglcontextrestored', this.#onContextRestored);
-    const parts = [this.#rig, this.#model, this.#sketch, this.#guide, this.#preview];
+    this.#unwatch();
+    const parts = [this.#overlays, this.#rig, this.#model, this.#sketch];
     for (const part of [...parts, this.#library, this.#materials, this.#stage]) {
       part.dispose();
     }
@@ -325,7 +327,21 @@ export class SceneView {
     }
     this.#model.setLinesVisible(choice.lineOpacity > 0);
     this.#materials.setLineOpacity(choice.lineOpacity);
+    this.#overlays.update();
     this.#stage.renderer.render(this.#stage.scene, this.#rig.camera);
+  }
+
+  #overlayContext(): OverlayContext {
+    const { width, height } = this.#screen.size();
+    return {
+      theme: this.#stage.theme,
+      model: this.#model.model,
+      catalogue: this.#library.catalogue,
+      pixelsPerModule: height / this.#rig.viewHeight(),
+      width,
+      height,
+      invalidate: () => this.invalidate(),
+    };
   }
 
   #fitCanvas(): void {
@@ -341,19 +357,19 @@ export class SceneView {
     renderer.setSize(width, height, false);
     this.#rig.setAspect(width / height);
     this.#sketch.setResolution(width, height, renderer.getPixelRatio());
-    this.#preview.setResolution(width, height, renderer.getPixelRatio());
+    this.#overlays.refresh();
   }
 
   #applyMode(): void {
     this.#model.group.visible = this.#mode !== 'sketch';
-    this.#sketch.group.visible = this.#mode !== 'model';
-    this.#sketch.setOverlay(this.#mode === 'both' ? 'over' : 'within');
+    this.#sketch.setOverlay(SKETCH_OVERLAY[this.#mode]);
     this.#stage.ground.setShadowVisible(this.#mode !== 'sketch');
   }
 
   #applyFade(): void {
     const towards = this.#stage.theme.backgroundBottom;
-    this.#model.setFade(this.#dimmed ? { towards, amount: DIM_AMOUNT } : null);
+    const only = this.#dimmed;
+    this.#model.setFade(only === false ? null : { towards, amount: DIM_AMOUNT, only });
   }
 
   /** Floor and light follow what there is to see. */
@@ -370,26 +386,17 @@ export class SceneView {
     return [...lines.flatMap((line) => [line.from, line.to]), ...parts];
   }
 
-  readonly #onContextLost = (event: Event): void => {
-    // Tells the browser that we go on when it gives the context back.
-    event.preventDefault();
-    this.#contextLost = true;
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    this.#options.onContext?.('lost');
-  };
-
-  readonly #onContextRestored = (): void => {
-    this.#contextLost = false;
-    this.#stage.restore();
-    this.invalidate();
-    this.#options.onContext?.('restored');
+  readonly #onContext = (state: 'lost' | 'restored'): void => {
+    this.#contextLost = state === 'lost';
+    if (state === 'lost') {
+      cancelAnimationFrame(this.#frame);
+      this.#frame = 0;
+    } else {
+      this.#stage.restore();
+      this.invalidate();
+    }
+    this.#options.onContext?.(state);
   };
 }
 
-/** What an empty view shows: a sketching area of ten by ten modules. */
-const DEFAULT_BOX: Bounds = { min: [-6, -6, -1], max: [6, 6, 5] };
-
-function prefersReducedMotion(): boolean {
-  return globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false;
-}
+const SKETCH_OVERLAY = { sketch: 'within', both: 'over', model: null } as const;

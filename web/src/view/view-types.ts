@@ -1,5 +1,5 @@
 import type { Catalogue } from '../model/catalogue.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
+import type { AxisName, Mat3, Vec3 } from '../model/vec.ts';
 
 /** Positions on screen are CSS pixels from the canvas' top left corner; positions in space modules. */
 export interface ScreenPoint {
@@ -17,7 +17,7 @@ export type ThemeName = 'light' | 'dark';
 export type ViewMode = 'sketch' | 'model' | 'both';
 export type Projection = 'perspective' | 'orthographic';
 export type StandardView = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'iso';
-export type ColourScheme = 'part' | 'layer' | 'component' | 'piece';
+export type ColourScheme = 'part' | 'layer' | 'axis' | 'component' | 'piece';
 
 /**
  * Who takes the first button or finger: `orbit` turns the camera; `tool` leaves it to the caller
@@ -48,6 +48,8 @@ export interface SketchMarks {
   /** Points to ring: failed junctions, blocked joints. */
   readonly errorPoints?: readonly Vec3[];
   readonly selectedJoint?: number | null;
+  /** A mirror plane that is not part of the sketch yet. */
+  readonly proposedMirror?: { readonly normal: Vec3; readonly offset: number } | null;
 }
 
 /** A plane to draw on: perpendicular to an axis, through a point that anchors its unit grid. */
@@ -123,6 +125,29 @@ export interface ViewStats {
   readonly lines: number;
 }
 
+/** A part as it is, as a pale hint of itself, or not at all. */
+export type PartLook = 'solid' | 'ghost' | 'hidden';
+
+/** Where a part stands. */
+export interface PartPose {
+  readonly position: Vec3;
+  /** Part frame to world, row-major. */
+  readonly rotation: Mat3;
+}
+
+/**
+ * How parts are drawn in place of how the model has them, by their index: for motion, steps, results
+ * of checks. What is left out stays as it is.
+ */
+export interface PartDisplay {
+  /** sRGB by part; null leaves a part the colour of the scheme. */
+  readonly colours?: readonly (number | null)[];
+  readonly poses?: ReadonlyMap<number, PartPose>;
+  readonly looks?: ReadonlyMap<number, PartLook>;
+  /** Parts that stand out. */
+  readonly highlighted?: ReadonlySet<number>;
+}
+
 /** What to show of the model: null shows all. */
 export interface Isolation {
   /** Indices into the model's parts that stay. */
@@ -138,6 +163,6 @@ export interface Section {
 }
 
 export interface ModelOptions {
-  /** Drawn pale: the model does not fit the sketch any more. */
-  readonly dimmed?: boolean;
+  /** Parts drawn pale because they do not fit the sketch any more: none, some, or all. */
+  readonly dimmed?: boolean | ReadonlySet<number>;
 }

@@ -15,6 +15,8 @@ const TOOLS: readonly (readonly [ToolId, IconName, string, Command['group']])[] 
   ['split', 'split', 'S', 'draw'],
   ['joint', 'joint', 'J', 'annotate'],
   ['keepOut', 'keepOut', 'K', 'annotate'],
+  ['array', 'array', 'Shift+A', 'edit'],
+  ['measure', 'measure', 'D', 'view'],
 ];
 
 const PLANES: readonly (readonly [string, PlaneMode, string])[] = [

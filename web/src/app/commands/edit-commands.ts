@@ -1,7 +1,7 @@
 import { boundsOfPoints } from '../../model/bounds.ts';
-import type { SketchLine } from '../../model/sketch.ts';
-import { type AxisName, scale, type Vec3 } from '../../model/vec.ts';
-import { connectedLines, joinLines } from '../../state/connectivity.ts';
+import { lineLength, type SketchLine } from '../../model/sketch.ts';
+import { type AxisName, add, scale, subtract, type Vec3 } from '../../model/vec.ts';
+import { chainedLines, connectedLines, joinLines } from '../../state/connectivity.ts';
 import {
   addLines,
   type LineMap,
@@ -11,6 +11,7 @@ import {
   quarterTurn,
   removeLines,
 } from '../../state/edits.ts';
+import { mirrorPlace } from '../../state/mirror-place.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -87,6 +88,14 @@ function selectionCommands(actions: Actions): Command[] {
     },
     {
       ...row,
+      id: 'selectChain',
+      label: text.commands.selectChain,
+      shortcut: 'Shift+C',
+      when: some,
+      run: () => store.select(chainedLines(store.sketch.value, store.selection.value)),
+    },
+    {
+      ...row,
       id: 'join',
       label: text.commands.join,
       icon: 'merge',
@@ -155,10 +164,36 @@ const TURNS: readonly (readonly [string, AxisName, string, string | undefined])[
   ['rotateZ', 'z', text.commands.rotateZ, 'Shift+R'],
 ];
 
+const SCALES: readonly (readonly [string, number, string])[] = [
+  ['double', 2, text.commands.double],
+  ['triple', 3, text.commands.triple],
+  ['halve', 0.5, text.commands.halve],
+];
+
+/** Whether lines stay of whole length under a scale. */
+function fits(factor: number): (line: SketchLine) => boolean {
+  return (line) => {
+    const size = lineLength(line) * factor;
+    return size > 0.5 && Math.abs(size - Math.round(size)) < 1e-3;
+  };
+}
+
+/** A scale that keeps one corner where it is. */
+function scaleFrom(factor: number, corner: Vec3): LineMap {
+  return {
+    point: (p) => add(corner, scale(subtract(p, corner), factor)),
+    axis: (axis) => axis,
+  };
+}
+
 function transformCommands(actions: Actions): Command[] {
   const { store } = actions.state;
   const some = () => store.selection.value.size > 0;
   const middle = () => wholeMiddle(selectedLines(store.sketch.value, store.selection.value));
+  const corner = () =>
+    boundsOfPoints(
+      selectedLines(store.sketch.value, store.selection.value).flatMap((l) => [l.from, l.to]),
+    )?.min ?? [0, 0, 0];
   const inPlace = (label: string, map: LineMap) =>
     actions.edit(label, mapLines(store.sketch.value, store.selection.value, map));
   return [
@@ -184,27 +219,27 @@ function transformCommands(actions: Actions): Command[] {
         run: () => inPlace(text.edits.rotate, quarterTurn(axis, middle())),
       }),
     ),
-    {
-      id: 'double',
-      label: text.commands.double,
-      group: 'edit',
-      icon: 'explode',
-      when: some,
-      run: () => inPlace(text.edits.scale, { point: (p) => scale(p, 2), axis: (axis) => axis }),
-    },
+    ...SCALES.map(
+      ([id, factor, label]): Command => ({
+        id,
+        label,
+        group: 'edit',
+        icon: 'explode',
+        when: () =>
+          some() && selectedLines(store.sketch.value, store.selection.value).every(fits(factor)),
+        run: () => inPlace(text.edits.scale, scaleFrom(factor, corner())),
+      }),
+    ),
   ];
 }
 
-/** Adds the mirror image at the far side of the selection, so that both halves touch. */
+/** Adds the mirror image; see mirrorPlace() for where the mirror stands. */
 function mirrorCopy(actions: Actions, axis: AxisName): void {
   const { store } = actions.state;
-  const lines = selectedLines(store.sketch.value, store.selection.value);
-  const box = boundsOfPoints(lines.flatMap((line) => [line.from, line.to]));
-  if (box) {
-    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
-    const images = lines.map((line) => mapLine(line, mirrorAt(axis, box.max[k])));
-    actions.edit(text.edits.mirror, addLines(store.sketch.value, images));
-  }
+  const sketch = store.sketch.value;
+  const mirror = mirrorAt(axis, mirrorPlace(sketch, store.selection.value, axis));
+  const images = selectedLines(sketch, store.selection.value).map((line) => mapLine(line, mirror));
+  actions.edit(text.edits.mirror, addLines(sketch, images));
 }
 
 /** The middle of some lines, moved to the lattice so that whole points turn into whole points. */

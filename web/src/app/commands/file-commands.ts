@@ -12,7 +12,23 @@ function openCommands(actions: Actions): Command[] {
   const { state } = actions;
   return [
     { ...row, id: 'new', label: text.commands.new, icon: 'new', run: actions.newSketch },
-    { ...row, id: 'open', label: text.commands.open, shortcut: 'Mod+O', run: actions.chooseFile },
+    {
+      ...row,
+      id: 'open',
+      label: text.commands.open,
+      shortcut: 'Mod+O',
+      run: actions.files.chooseFile,
+    },
+    {
+      ...row,
+      id: 'sketches',
+      label: text.commands.sketches,
+      icon: 'sketches',
+      shortcut: 'Shift+S',
+      run: () => {
+        state.dialog.value = 'sketches';
+      },
+    },
     {
       ...row,
       id: 'examples',
@@ -29,7 +45,7 @@ function openCommands(actions: Actions): Command[] {
       label: text.commands.share,
       icon: 'share',
       when: () => state.store.sketch.value.lines.length > 0,
-      run: actions.share,
+      run: actions.files.share,
     },
   ];
 }
@@ -45,21 +61,21 @@ function saveCommands(actions: Actions): Command[] {
       label: text.commands.saveSketch,
       shortcut: 'Mod+S',
       when: () => state.store.sketch.value.lines.length > 0,
-      run: actions.saveSketch,
+      run: actions.files.saveSketch,
     },
     {
       ...row,
       id: 'saveMpd',
       label: text.commands.saveMpd,
       when: model,
-      run: () => actions.exportModel('mpd'),
+      run: () => actions.files.exportModel('mpd'),
     },
     {
       ...row,
       id: 'saveModel',
       label: text.commands.saveModel,
       when: model,
-      run: actions.saveModel,
+      run: actions.files.saveModel,
     },
     {
       ...row,
@@ -67,14 +83,14 @@ function saveCommands(actions: Actions): Command[] {
       label: text.commands.saveParts,
       icon: 'parts',
       when: model,
-      run: () => actions.exportModel('parts.csv'),
+      run: () => actions.files.exportModel('parts.csv'),
     },
     {
       ...row,
       id: 'savePicture',
       label: text.commands.savePicture,
       icon: 'camera',
-      run: actions.savePicture,
+      run: actions.files.savePicture,
     },
   ];
 }

@@ -35,6 +35,15 @@ export function solveCommands(actions: Actions): Command[] {
       },
     },
     {
+      id: 'bricks',
+      label: text.commands.bricks,
+      group: 'solve',
+      icon: 'parts',
+      run: () => {
+        state.dialog.value = 'bricks';
+      },
+    },
+    {
       id: 'newSeed',
       label: text.commands.newSeed,
       group: 'solve',

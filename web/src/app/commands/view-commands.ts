@@ -25,6 +25,7 @@ const SHOWS: readonly (readonly [string, Preferences['show'], string])[] = [
 const COLOURS: readonly (readonly [string, Preferences['colourBy'], string])[] = [
   ['colourPart', 'part', text.commands.colourPart],
   ['colourLayer', 'layer', text.commands.colourLayer],
+  ['colourAxis', 'axis', text.commands.colourAxis],
   ['colourComponent', 'component', text.commands.colourComponent],
   ['colourPiece', 'piece', text.commands.colourPiece],
 ];
@@ -33,6 +34,12 @@ const THEMES: readonly (readonly [string, Preferences['theme'], string])[] = [
   ['themeAuto', 'auto', text.commands.themeAuto],
   ['themeLight', 'light', text.commands.themeLight],
   ['themeDark', 'dark', text.commands.themeDark],
+];
+
+const LANGUAGES: readonly (readonly [string, Preferences['language'], string])[] = [
+  ['languageAuto', 'auto', text.commands.languageAuto],
+  ['languageEn', 'en', text.commands.languageEn],
+  ['languageDe', 'de', text.commands.languageDe],
 ];
 
 const DIALOGS: readonly (readonly [
@@ -53,6 +60,8 @@ export function viewCommands(actions: Actions): Command[] {
     ...choices(actions, 'show', 'palette', SHOWS),
     ...choices(actions, 'colourBy', 'palette', COLOURS),
     ...choices(actions, 'theme', 'theme', THEMES),
+    themeNext(actions),
+    ...choices(actions, 'language', 'language', LANGUAGES),
     ...DIALOGS.map(
       ([id, icon, label, shortcut]): Command => ({
         id,
@@ -105,8 +114,22 @@ function cameraCommands(actions: Actions): Command[] {
   ];
 }
 
+/** From light to dark and back. */
+function themeNext({ state }: Actions): Command {
+  return {
+    id: 'themeNext',
+    label: text.commands.themeNext,
+    group: 'view',
+    icon: 'theme',
+    run: () => {
+      const theme = state.themeName.value === 'dark' ? 'light' : 'dark';
+      state.preferences.value = { ...state.preferences.value, theme };
+    },
+  };
+}
+
 /** One command for each value that a preference can have. */
-function choices<K extends 'show' | 'colourBy' | 'theme'>(
+function choices<K extends 'show' | 'colourBy' | 'theme' | 'language'>(
   { state: { preferences } }: Actions,
   key: K,
   icon: IconName,

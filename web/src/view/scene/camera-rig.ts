@@ -3,23 +3,13 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../model/vec.ts';
 import type { Navigation, Projection, StandardView } from '../view-types.ts';
 import { FIELD_OF_VIEW, fitPoints } from './fit-points.ts';
+import { VIEW_DIRECTIONS } from './standard-views.ts';
 
 /** Radians from straight up and down where turning by keys stops. */
 const POLE = 0.02;
 const MOVE_MILLISECONDS = 320;
 /** The far plane, and how near and far one may go, in modules. */
 const REACH = { near: 0.1, far: 4000, minDistance: 1.5, maxDistance: 1500 } as const;
-
-/** Directions from the middle to the eye. A little off the pole, so that up stays defined. */
-const VIEW_DIRECTIONS: Readonly<Record<StandardView, Vec3>> = {
-  front: [0, -1, 0],
-  back: [0, 1, 0],
-  left: [-1, 0, 0],
-  right: [1, 0, 0],
-  top: [0, -0.0005, 1],
-  bottom: [0, -0.0005, -1],
-  iso: [0.62, -0.7, 0.46],
-};
 
 interface Move {
   readonly fromEye: Vector3;

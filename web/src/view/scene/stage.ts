@@ -33,9 +33,16 @@ export class Stage {
   readonly #fill = new DirectionalLight(0xdfe9ff, 0.5);
   #theme: ViewTheme = viewTheme('light');
   #background: DataTexture | null = null;
+  #backdrop: 'studio' | 'clear' = 'studio';
 
-  constructor(canvas: HTMLCanvasElement) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, powerPreference: 'low-power' });
+  constructor(canvas: HTMLCanvasElement, options: { readonly transparent?: boolean } = {}) {
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: true,
+      powerPreference: 'low-power',
+      alpha: options.transparent ?? false,
+    });
+    this.renderer.setClearColor(0x000000, 0);
     this.renderer.outputColorSpace = SRGBColorSpace;
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.shadowMap.enabled = true;
@@ -69,9 +76,21 @@ export class Stage {
     this.#theme = theme;
     this.#background?.dispose();
     this.#background = gradient(theme.backgroundTop, theme.backgroundBottom);
-    this.scene.background = this.#background;
+    this.#applyBackdrop();
     this.scene.environmentIntensity = 0.8 * theme.lightScale;
     this.ground.setTheme(theme);
+  }
+
+  /** Background, floor and its shadow, or nothing behind the bricks (on a transparent canvas). */
+  setBackdrop(backdrop: 'studio' | 'clear'): void {
+    this.#backdrop = backdrop;
+    this.#applyBackdrop();
+  }
+
+  #applyBackdrop(): void {
+    const studio = this.#backdrop === 'studio';
+    this.scene.background = studio ? this.#background : null;
+    this.ground.group.visible = studio;
   }
 
   /** The shadow is drawn again with the next frame. */

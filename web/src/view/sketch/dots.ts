@@ -5,11 +5,14 @@ const VERTEX = /* glsl */ `
 attribute float size;
 attribute vec3 fill;
 attribute float ring;
+attribute float shape;
 uniform float pixelRatio;
 varying vec3 vFill;
 varying float vRing;
 varying float vSize;
+varying float vShape;
 void main() {
+  vShape = shape;
   vFill = fill;
   vRing = ring;
   vSize = size * pixelRatio;
@@ -31,8 +34,24 @@ uniform vec3 inner;
 varying vec3 vFill;
 varying float vRing;
 varying float vSize;
+varying float vShape;
+
+/** Distance from the middle, 0.5 at the rim: disc, square, diamond, triangle. */
+float reach(vec2 p) {
+  if (vShape < 0.5) {
+    return length(p);
+  }
+  if (vShape < 1.5) {
+    return max(abs(p.x), abs(p.y)) * 1.12;
+  }
+  if (vShape < 2.5) {
+    return abs(p.x) + abs(p.y);
+  }
+  return max(p.y * 1.15, abs(p.x) * 1.05 - (p.y - 0.12) * 0.6);
+}
+
 void main() {
-  float radius = length(gl_PointCoord - 0.5) * vSize;
+  float radius = reach(gl_PointCoord - 0.5) * vSize;
   float outside = vSize * 0.5;
   float alpha = 1.0 - smoothstep(outside - 1.2, outside, radius);
   if (alpha < 0.02) {
@@ -53,7 +72,13 @@ export interface Dot {
   /** sRGB. */
   readonly colour: number;
   readonly ring?: boolean;
+  /** A disc when left out. */
+  readonly shape?: DotShape;
 }
+
+const SHAPES = { disc: 0, square: 1, diamond: 2, triangle: 3 } as const;
+
+export type DotShape = keyof typeof SHAPES;
 
 /** Round dots that keep their size on screen, in one draw call. */
 export class Dots {
@@ -95,6 +120,13 @@ export class Dots {
       'ring',
       attribute(
         dots.map((dot) => (dot.ring ? 1 : 0)),
+        1,
+      ),
+    );
+    geometry.setAttribute(
+      'shape',
+      attribute(
+        dots.map((dot) => SHAPES[dot.shape ?? 'disc']),
         1,
       ),
     );

@@ -34,7 +34,8 @@ export class SketchGlyphs {
   #shown: readonly unknown[] = [];
 
   set(sketch: SketchDocument | null, marks: SketchMarks, theme: ViewTheme): void {
-    const shown = [sketch, marks.selectedJoint ?? null, theme];
+    const proposed = marks.proposedMirror ?? null;
+    const shown = [sketch, marks.selectedJoint ?? null, proposed, theme];
     // Hovering over lines must not make all of this again.
     if (shown.every((value, i) => value === this.#shown[i])) {
       return;
@@ -56,6 +57,9 @@ export class SketchGlyphs {
       if (symmetry.kind === 'reflection' && bounds) {
         this.#addMirror(symmetry, bounds, theme.symmetry);
       }
+    }
+    if (proposed && bounds) {
+      this.#addMirror(proposed, bounds, theme.hovered);
     }
   }
 
@@ -134,7 +138,7 @@ export class SketchGlyphs {
     );
     const side = size + 2 * SYMMETRY_MARGIN;
     const geometry = this.#own(new PlaneGeometry(side, side));
-    const pane = new Mesh(geometry, this.#own(glass(colour, 0.06)));
+    const pane = new Mesh(geometry, this.#own(glass(colour, 0.1)));
     const frame = new LineSegments(
       this.#own(new EdgesGeometry(geometry)),
       this.#own(new LineBasicMaterial({ color: colour })),

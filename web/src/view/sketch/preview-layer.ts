@@ -1,9 +1,21 @@
 import { Group } from 'three';
 import { lineNodes } from '../../model/sketch.ts';
 import type { ViewTheme } from '../scene/theme.ts';
-import type { LinePreview } from '../view-types.ts';
-import { type Dot, Dots } from './dots.ts';
+import type { LinePreview, SnapKind } from '../view-types.ts';
+import { type Dot, type DotShape, Dots } from './dots.ts';
 import { type Segment, ThickLines } from './thick-lines.ts';
+
+/** Each reason to snap has its colour (the theme's) and its mark. */
+const SNAP_SHAPES: Readonly<Record<SnapKind, DotShape>> = {
+  grid: 'disc',
+  plane: 'disc',
+  end: 'square',
+  node: 'disc',
+  axis: 'diamond',
+  'in-line': 'diamond',
+  pythagorean: 'triangle',
+  sixty: 'triangle',
+};
 
 /** The line being drawn, its nodes, its snap mark, and the lines that the snap refers to. */
 export class PreviewLayer {
@@ -53,11 +65,12 @@ function previewDots(preview: LinePreview, colour: number, snap: number): Dot[] 
   if (!to) {
     return [start];
   }
+  const shape = preview.snap ? SNAP_SHAPES[preview.snap] : 'disc';
   const inner = lineNodes({ from, to }).slice(1, -1);
   return [
     start,
     ...inner.map((at) => ({ at, size: 6, colour })),
-    { at: to, size: 15, colour: snap, ring: true },
+    { at: to, size: shape === 'disc' ? 15 : 19, colour: snap, ring: true, shape },
     { at: to, size: 6, colour },
   ];
 }

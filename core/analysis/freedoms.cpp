@@ -1,0 +1,283 @@
+#include "analysis/freedoms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "analysis/motion_basis.h"
+#include "analysis/rank.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+using lattice::Vec3;
+
+// Radians and modules per unit of motion; coordinates in files are rounded to 1e-6.
+constexpr double kStill = 1e-4;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Link lineOf(const JointLine& joint) {
+  Link link;
+  link.at = joint.at;
+  link.axis = joint.axis;
+  return link;
+}
+
+//! Links on a joint's line come late, those of the first joint last.
+std::vector<int> latenessOf(const Linkage& linkage, const std::vector<JointLine>& joints) {
+  std::vector<int> lateness(linkage.links.size(), 0);
+  for (std::size_t l = 0; l < linkage.links.size(); ++l) {
+    for (std::size_t j = joints.size(); j-- > 0;) {
+      if (onOneLine(linkage.links[l], lineOf(joints[j]))) {
+        lateness[l] = static_cast<int>(joints.size() - j);
+      }
+    }
+  }
+  return lateness;
+}
+
+bool isSame(const Twist& p, const Twist& q) {
+  return lattice::length(p.linear - q.linear) < kStill &&
+         lattice::length(p.angular - q.angular) < kStill;
+}
+
+//! Numbers the bodies by what they do in some motions: equal numbers never move against each other.
+std::vector<int> groupsOf(const std::vector<int>& assemblies,
+                          const std::vector<std::vector<Twist>>& motions) {
+  std::vector<int> groups(assemblies.size(), -1);
+  std::vector<std::size_t> firsts;
+  for (std::size_t i = 0; i < assemblies.size(); ++i) {
+    const auto same = [&](std::size_t first) {
+      return assemblies[first] == assemblies[i] &&
+             std::all_of(motions.begin(), motions.end(), [&](const std::vector<Twist>& twists) {
+               return isSame(twists[first], twists[i]);
+             });
+    };
+    const auto known = std::find_if(firsts.begin(), firsts.end(), same);
+    groups[i] = static_cast<int>(known - firsts.begin());
+    if (known == firsts.end()) {
+      firsts.push_back(i);
+    }
+  }
+  return groups;
+}
+
+std::vector<std::vector<Twist>> allTwists(const MotionBasis& basis) {
+  std::vector<std::vector<Twist>> twists;
+  for (std::size_t m = 0; m < basis.size(); ++m) {
+    twists.push_back(basis.twists(m));
+  }
+  return twists;
+}
+
+//! Only the links between bodies of one group.
+Linkage within(const Linkage& linkage, const std::vector<int>& groups) {
+  Linkage result;
+  result.bodies = linkage.bodies;
+  std::copy_if(linkage.links.begin(),
+               linkage.links.end(),
+               std::back_inserter(result.links),
+               [&](const Link& link) { return groups[at(link.a)] == groups[at(link.b)]; });
+  return result;
+}
+
+std::vector<int> noneLate(const Linkage& linkage) {
+  return std::vector<int>(linkage.links.size(), 0);
+}
+
+//! The motions of a merged linkage, seen against what rests, with what they are for.
+class MotionSorter {
+ public:
+  MotionSorter(const FreedomsQuery& query, const MergedLinkage& merged)
+      : query_(query),
+        merged_(merged),
+        basis_(merged.linkage, latenessOf(merged.linkage, query.joints)),
+        frame_(at(merged.linkage.bodies), false),
+        weight_(at(merged.linkage.bodies), 0.0) {
+    for (std::size_t i = 0; i < merged.bodyOf.size(); ++i) {
+      const std::size_t body = at(merged.bodyOf[i]);
+      frame_[body] = frame_[body] || query.frame[i];
+      weight_[body] += query.weight[i];
+    }
+    std::set<int> framed;
+    for (std::size_t body = 0; body < frame_.size(); ++body) {
+      if (frame_[body]) {
+        framed.insert(basis_.assemblies()[body]);
+      }
+    }
+    for (std::size_t body = 0; body < frame_.size(); ++body) {
+      frame_[body] = frame_[body] || framed.count(basis_.assemblies()[body]) == 0;
+    }
+    for (std::vector<Twist> twists : allTwists(basis_)) {
+      settle(twists);
+      motions_.push_back({-1, std::move(twists)});
+    }
+  }
+
+  Freedoms sorted() {
+    nameJoints();
+    Freedoms freedoms;
+    freedoms.merged = merged_;
+    freedoms.spinning = dropSpinning();
+    freedoms.internal = static_cast<int>(motions_.size());
+    countJoints(freedoms);
+    std::vector<std::vector<Twist>> twists;
+    for (const FreeMotion& motion : motions_) {
+      twists.push_back(motion.twists);
+    }
+    const std::vector<int> groups = groupsOf(basis_.assemblies(), twists);
+    for (const int body : merged_.bodyOf) {
+      freedoms.groupOf.push_back(groups[at(body)]);
+    }
+    for (const FreeMotion& motion : motions_) {
+      FreeMotion ofAll{motion.joint, {}};
+      for (const int body : merged_.bodyOf) {
+        ofAll.twists.push_back(motion.twists[at(body)]);
+      }
+      freedoms.motions.push_back(std::move(ofAll));
+    }
+    return freedoms;
+  }
+
+ private:
+  //! Brings the heaviest bodies of each assembly that move alike to rest.
+  void settle(std::vector<Twist>& twists) const {
+    const std::vector<int> groups = groupsOf(basis_.assemblies(), {twists});
+    std::map<int, double> weights;
+    for (std::size_t body = 0; body < twists.size(); ++body) {
+      weights[groups[body]] += frame_[body] ? 1.0 + weight_[body] : 0.0;
+    }
+    std::map<int, std::pair<double, Twist>> rest;  // assembly -> weight, twist
+    for (std::size_t body = 0; body < twists.size(); ++body) {
+      auto& [heaviest, twist] = rest[basis_.assemblies()[body]];
+      if (weights[groups[body]] > heaviest) {
+        heaviest = weights[groups[body]];
+        twist = twists[body];
+      }
+    }
+    for (std::size_t body = 0; body < twists.size(); ++body) {
+      twists[body] = twists[body] - rest[basis_.assemblies()[body]].second;
+      if (isSame(twists[body], {})) {
+        twists[body] = {};
+      }
+    }
+  }
+
+  [[nodiscard]] double rate(std::size_t joint, const FreeMotion& motion) const {
+    JointLine line = query_.joints[joint];
+    if (line.a < 0 || line.b < 0) {
+      return 0.0;
+    }
+    line.a = merged_.bodyOf[at(line.a)];
+    line.b = merged_.bodyOf[at(line.b)];
+    return turningRate(line, motion.twists);
+  }
+
+  //! Gives each joint the motion that turns it most, if one is left, and puts those first.
+  void nameJoints() {
+    for (std::size_t j = 0; j < query_.joints.size(); ++j) {
+      FreeMotion* best = nullptr;
+      double most = kStill;
+      for (FreeMotion& motion : motions_) {
+        const double speed = std::abs(rate(j, motion));
+        if (motion.joint < 0 && speed > most * (1.0 + kStill)) {
+          best = &motion;
+          most = speed;
+        }
+      }
+      if (best != nullptr) {
+        best->joint = static_cast<int>(j);
+      }
+    }
+    std::stable_sort(
+        motions_.begin(), motions_.end(), [](const FreeMotion& p, const FreeMotion& q) {
+          return static_cast<unsigned>(p.joint) < static_cast<unsigned>(q.joint);
+        });
+  }
+
+  //! Keeps motions that are independent as motions of frame bodies. \return How many were not.
+  int dropSpinning() {
+    std::vector<std::size_t> frames;
+    double unit = 1.0;
+    for (std::size_t body = 0; body < frame_.size(); ++body) {
+      if (frame_[body]) {
+        frames.push_back(body);
+      }
+    }
+    for (const Link& link : merged_.linkage.links) {
+      unit = std::max(unit, lattice::length(link.at));
+    }
+    ColumnMatrix matrix(6 * frames.size(), motions_.size());
+    std::vector<int> lateness;
+    for (std::size_t m = 0; m < motions_.size(); ++m) {
+      for (std::size_t f = 0; f < frames.size(); ++f) {
+        const std::array<double, 6> entry = scaled(motions_[m].twists[frames[f]], {}, unit);
+        std::copy(entry.begin(), entry.end(), matrix.column(m) + 6 * f);
+      }
+      lateness.push_back(static_cast<int>(m) + 1);
+    }
+    const NullBasis basis = findNullBasis(matrix, lateness);
+    for (std::size_t i = basis.free.size(); i-- > 0;) {
+      motions_.erase(motions_.begin() + static_cast<std::ptrdiff_t>(basis.free[i]));
+    }
+    return static_cast<int>(basis.free.size());
+  }
+
+  void countJoints(Freedoms& freedoms) const {
+    ColumnMatrix rates(query_.joints.size(), motions_.size());
+    for (std::size_t j = 0; j < query_.joints.size(); ++j) {
+      bool turns = false;
+      for (std::size_t m = 0; m < motions_.size(); ++m) {
+        rates.column(m)[j] = rate(j, motions_[m]);
+        turns = turns || std::abs(rates.column(m)[j]) > kStill;
+      }
+      freedoms.jointTurns.push_back(turns);
+    }
+    const std::vector<int> noneLater(motions_.size(), 0);
+    freedoms.beyondJoints =
+        freedoms.internal - static_cast<int>(findNullBasis(rates, noneLater).rank);
+  }
+
+  const FreedomsQuery& query_;
+  const MergedLinkage& merged_;
+  MotionBasis basis_;
+  std::vector<bool> frame_;
+  std::vector<double> weight_;
+  std::vector<FreeMotion> motions_;
+};
+
+}  // namespace
+
+double turningRate(const JointLine& joint, const std::vector<Twist>& twists) {
+  return lattice::dot(joint.axis, twists[at(joint.b)].angular - twists[at(joint.a)].angular);
+}
+
+MergedLinkage mergeAll(const Linkage& linkage) {
+  MergedLinkage merged = mergeRigid(linkage);
+  for (;;) {
+    const int before = merged.linkage.bodies;
+    const MotionBasis basis(merged.linkage, noneLate(merged.linkage));
+    // What moves alike is not one body for that: at a dead point it may part. What links hold it
+    // together must be rigid by themselves.
+    const Linkage alike = within(merged.linkage, groupsOf(basis.assemblies(), allTwists(basis)));
+    merged = mergeFurther(merged, MotionBasis(alike, noneLate(alike)).locked());
+    if (merged.linkage.bodies == before) {
+      return merged;
+    }
+  }
+}
+
+Freedoms findFreedoms(const FreedomsQuery& query) {
+  const MergedLinkage merged = mergeAll(query.linkage);
+  return MotionSorter(query, merged).sorted();
+}
+
+}  // namespace liftarm::analysis

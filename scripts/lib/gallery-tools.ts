@@ -1,0 +1,20 @@
+// What scripts/gallery.mjs takes from the page: the catalogue, the renderer, the gears.
+import catalogueFile from '../../core/parts/catalogue.json';
+import { readCatalogue } from '../../web/src/model/catalogue.ts';
+import { placeTrain, readGearTrain } from '../../web/src/ui/gallery/gear-train.ts';
+import { cameraFor, ISO_OUT } from '../../web/src/view/drawing/drawing-camera.ts';
+import { drawn, MeshShelf } from '../../web/src/view/drawing/drawn-part.ts';
+import { drawPicture } from '../../web/src/view/drawing/picture.ts';
+
+const catalogue = readCatalogue(catalogueFile);
+
+export const tools = {
+  catalogue,
+  shelf: new MeshShelf(catalogue),
+  placeTrain,
+  readGearTrain,
+  cameraFor,
+  ISO_OUT,
+  drawn,
+  drawPicture,
+};

@@ -1,0 +1,67 @@
+#include "analysis/freedoms.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "analysis/freedoms_query.h"
+#include "core/analysis/linkages.h"
+#include "core/helpers/models.h"
+
+namespace liftarm::analysis {
+namespace {
+
+using testing::Mechanism;
+
+struct KnownMechanism : ::testing::TestWithParam<Mechanism> {};
+
+Freedoms freedomsOf(const model::Model& model, Friction friction) {
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+  return findFreedoms(makeFreedomsQuery(scene, findCoverage(scene), friction));
+}
+
+TEST_P(KnownMechanism, HasTheFreedomsOfTheTextbook) {
+  const Freedoms freedoms = findFreedoms(testing::queryOf(GetParam().linkage));
+  EXPECT_EQ(freedoms.internal, GetParam().freedoms);
+}
+
+TEST_P(KnownMechanism, HasTheFreedomsOfADenseDecomposition) {
+  const Freedoms freedoms = findFreedoms(testing::queryOf(GetParam().linkage));
+  EXPECT_EQ(freedoms.internal + freedoms.spinning, testing::nullityByValues(GetParam().linkage));
+}
+
+TEST_P(KnownMechanism, KeepsItsMotionsWithinTheConstraints) {
+  const Freedoms freedoms = findFreedoms(testing::queryOf(GetParam().linkage));
+  ASSERT_EQ(static_cast<int>(freedoms.motions.size()), freedoms.internal);
+  for (const FreeMotion& motion : freedoms.motions) {
+    EXPECT_LT(testing::violation(GetParam().linkage, motion.twists), 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         KnownMechanism,
+                         ::testing::ValuesIn(testing::knownMechanisms()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Freedoms, SquareOfSinglePinsFolds) {
+  EXPECT_EQ(freedomsOf(testing::squareFrame(), Friction::kFree).internal, 1);
+}
+
+TEST(Freedoms, FrictionHoldsTheSquare) {
+  EXPECT_EQ(freedomsOf(testing::squareFrame(), Friction::kHeld).internal, 0);
+}
+
+TEST(Freedoms, PinsThatSpinAreToldApart) {
+  const Freedoms freedoms = freedomsOf(testing::squareFrame(), Friction::kFree);
+  EXPECT_EQ(freedoms.spinning, 4);
+}
+
+TEST(Freedoms, OppositeBeamsOfASquareAreDifferentGroups) {
+  const Freedoms freedoms = freedomsOf(testing::squareFrame(), Friction::kFree);
+  EXPECT_NE(freedoms.groupOf[0], freedoms.groupOf[2]);
+  EXPECT_NE(freedoms.groupOf[0], freedoms.groupOf[1]);
+}
+
+}  // namespace
+}  // namespace liftarm::analysis

@@ -1,0 +1,203 @@
+import { SET_PARTS } from '../model/brick-set.ts';
+import { readPartsList } from '../model/parts-list.ts';
+import type { SketchDocument } from '../model/sketch.ts';
+import { encodeShare } from '../share/codec.ts';
+import type { SolverClient } from '../solver/client.ts';
+import { writeSketch } from '../state/read-sketch.ts';
+import type { ToolId } from '../tools/tool.ts';
+import { fillWords } from '../tools/tool-words.ts';
+import { text } from '../ui/text.ts';
+import { download, fileName } from './download.ts';
+import { readOpenedFile } from './files.ts';
+import type { PageState } from './page-state.ts';
+import type { SceneBridge } from './scene-bridge.ts';
+import type { SolveRun } from './solve-run.ts';
+import type { Toaster } from './toasts.ts';
+
+/** Marks an address that this page has written: after a reload the saved sketch is newer than it. */
+const OWN_ADDRESS = { liftarm: 'own' } as const;
+
+/** Whether the address came from this page, and not from a link that was opened. */
+export function isOwnAddress(state: unknown): boolean {
+  return (
+    typeof state === 'object' && state !== null && 'liftarm' in state && state.liftarm === 'own'
+  );
+}
+
+const PICTURE = { width: 1600, height: 1200 } as const;
+
+/** What opening and saving need of the page. */
+interface FileContext {
+  readonly state: PageState;
+  readonly scene: SceneBridge;
+  readonly toaster: Toaster;
+  readonly run: SolveRun;
+  readonly client: SolverClient;
+  readonly replaceSketch: (sketch: SketchDocument) => void;
+  readonly edit: (label: string, next: SketchDocument) => void;
+  readonly useTool: (id: ToolId) => void;
+  readonly fit: () => void;
+}
+
+/** Opening and saving files, and the sketch in the address. */
+export class PageFiles {
+  readonly #context: FileContext;
+
+  constructor(context: FileContext) {
+    this.#context = context;
+  }
+
+  readonly chooseFile = (): void => chooseOne('.json,application/json', this.openFile);
+
+  /** Reads a list of owned parts that a person chooses. */
+  readonly importOwned = (): void => {
+    chooseOne('.csv,.txt,.tsv,text/csv,text/plain', (file) => {
+      file.text().then(
+        (content) => this.#takeOwned(file.name, content),
+        () => this.#refuse(file.name, text.files.unreadable),
+      );
+    });
+  };
+
+  #takeOwned(name: string, content: string): void {
+    const list = readPartsList(content);
+    if (!list.ok) {
+      this.#refuse(name, list.message);
+      return;
+    }
+    const { preferences } = this.#context.state;
+    const known = SET_PARTS.map((id): [string, number] => [id, list.value.get(id) ?? 0]);
+    preferences.value = { ...preferences.value, owned: Object.fromEntries(known) };
+    const n = known.filter(([, count]) => count > 0).length;
+    this.#context.toaster.info(fillWords(text.bricks.imported, { n, name }));
+  }
+
+  readonly openFile = (file: File): void => {
+    this.#context.toaster.clearErrors();
+    this.#open(file).catch(() => this.#refuse(file.name, text.files.unreadable));
+  };
+
+  async #open(file: File): Promise<void> {
+    const opened = await readOpenedFile(file, this.#context.client);
+    if (!opened.ok) {
+      this.#refuse(file.name, opened.message);
+      return;
+    }
+    if (opened.value.kind === 'sketch') {
+      const { sketch } = opened.value;
+      const name = sketch.name || file.name.replace(/(\.sketch)?\.json$/i, '');
+      this.#context.replaceSketch({ ...sketch, name });
+      this.#context.toaster.info(fillWords(text.files.opened, { name }));
+      return;
+    }
+    const refusal = await this.#context.run.showFile(opened.value.json, (sketch) => {
+      this.#context.edit(text.edits.open, sketch);
+    });
+    if (refusal !== null) {
+      this.#refuse(file.name, refusal);
+      return;
+    }
+    this.#context.useTool('select');
+    if (!this.#context.state.shown.value?.sketch) {
+      // The sketch on the page has nothing to do with this model.
+      const { preferences } = this.#context.state;
+      preferences.value = { ...preferences.value, show: 'model' };
+    }
+    this.#context.fit();
+    this.#context.toaster.info(fillWords(text.files.openedModel, { name: file.name }));
+  }
+
+  #refuse(name: string, message: string): void {
+    this.#context.toaster.error(fillWords(text.files.refused, { name, message }));
+  }
+
+  readonly saveSketch = (): void => {
+    const sketch = this.#context.state.store.sketch.value;
+    this.#save('sketch.json', writeSketch(sketch), 'application/json');
+  };
+
+  readonly saveModel = (): void => {
+    const shown = this.#context.state.shown.value;
+    if (shown) {
+      this.#save('model.json', shown.json, 'application/json');
+    }
+  };
+
+  readonly exportModel = (format: 'mpd' | 'parts.csv'): void => {
+    const shown = this.#context.state.shown.value;
+    if (!shown) {
+      return;
+    }
+    const failed = (message: string) =>
+      this.#context.toaster.error(fillWords(text.files.exportFailed, { message }));
+    this.#context.client.exportModel(shown.json, format).then(
+      (result) => {
+        if (result.outcome === 'ok') {
+          this.#save(format, result.text, format === 'mpd' ? 'application/x-ldraw' : 'text/csv');
+        } else {
+          failed(result.message);
+        }
+      },
+      (error: unknown) => failed(error instanceof Error ? error.message : ''),
+    );
+  };
+
+  readonly savePicture = (): void => {
+    this.#context.scene.view
+      ?.renderToPng(PICTURE.width, PICTURE.height)
+      .then((picture) => download(fileName(this.#title(), 'png'), picture))
+      .catch((error: unknown) => this.#context.toaster.error(String(error)));
+  };
+
+  #save(extension: string, content: string, type: string): void {
+    download(fileName(this.#title(), extension), new Blob([content], { type }));
+  }
+
+  /** Puts the sketch into the address. @returns the refusal, or null. */
+  async updateAddress(): Promise<string | null> {
+    const { preset, seed } = this.#context.state.preferences.value;
+    const sketch = this.#context.state.store.sketch.value;
+    if (sketch.lines.length === 0) {
+      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
+      return null;
+    }
+    const fragment = await encodeShare({ sketch, preset, seed });
+    if (!fragment.ok) {
+      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
+      return fragment.message;
+    }
+    history.replaceState(OWN_ADDRESS, '', `#${fragment.value}`);
+    return null;
+  }
+
+  readonly share = (): void => {
+    this.updateAddress()
+      .then(async (refusal) => {
+        if (refusal !== null) {
+          this.#context.toaster.error(refusal);
+          return;
+        }
+        await navigator.clipboard.writeText(location.href);
+        this.#context.toaster.info(text.files.copied);
+      })
+      .catch(() => this.#context.toaster.error(text.files.copyFailed));
+  };
+
+  #title(): string {
+    return this.#context.state.store.sketch.value.name ?? '';
+  }
+}
+
+/** Lets a person choose one file. */
+function chooseOne(accept: string, take: (file: File) => void): void {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.accept = accept;
+  input.onchange = () => {
+    const file = input.files?.[0];
+    if (file) {
+      take(file);
+    }
+  };
+  input.click();
+}

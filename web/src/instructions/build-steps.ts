@@ -1,0 +1,101 @@
+import { countParts, type PartCount } from '../model/counts.ts';
+import type { Model } from '../model/model.ts';
+import type { Addition, AssemblyGroup, AssemblyPlan } from './assembly-plan.ts';
+
+/** One page of the instructions. */
+export interface BuildStep {
+  /** From 1, through all groups in the order of building. */
+  readonly number: number;
+  readonly group: AssemblyGroup;
+  /** From 1 within the group, and how many the group has. */
+  readonly groupStep: number;
+  readonly groupSteps: number;
+  /** Parts that the group holds before this step. */
+  readonly before: readonly number[];
+  readonly adds: readonly Addition[];
+  /** What to take from the heap for one building of this step. */
+  readonly loose: readonly PartCount[];
+  /** Subassemblies that are put in. */
+  readonly subgroups: readonly number[];
+  readonly stable: boolean;
+}
+
+/** How often a group is built: itself and its copies. */
+export function timesOf(group: AssemblyGroup): number {
+  return 1 + group.copies.length;
+}
+
+/** The steps of a plan with what each needs to be drawn. */
+export function buildSteps(plan: AssemblyPlan, model: Model): BuildStep[] {
+  const groups = new Map(plan.groups.map((group) => [group.id, group]));
+  const held = new Map<number, number[]>();
+  const done = new Map<number, number>();
+  const totals = new Map<number, number>();
+  for (const { group } of plan.steps) {
+    totals.set(group, (totals.get(group) ?? 0) + 1);
+  }
+  return plan.steps.map((step, i) => {
+    const before = held.get(step.group) ?? [];
+    const added = step.adds.flatMap((add) => add.parts);
+    const loose = step.adds.filter((add) => add.subgroup === null).flatMap((add) => add.parts);
+    held.set(step.group, [...before, ...added]);
+    const groupStep = (done.get(step.group) ?? 0) + 1;
+    done.set(step.group, groupStep);
+    return {
+      number: i + 1,
+      group: groups.get(step.group) ?? { id: step.group, parts: [], copies: [], mirrored: [] },
+      groupStep,
+      groupSteps: totals.get(step.group) ?? 1,
+      before,
+      adds: step.adds,
+      loose: countParts({
+        name: '',
+        parts: loose.flatMap((index) => model.parts[index] ?? []),
+      }),
+      subgroups: step.adds.flatMap((add) => (add.subgroup === null ? [] : [add.subgroup])),
+      stable: step.stable,
+    };
+  });
+}
+
+/**
+ * Plays the plan through. @returns what is wrong, one sentence each: a part that is missing or comes
+ * twice, a subassembly that is used before it is built.
+ */
+export function replayFaults(plan: AssemblyPlan, count: number): string[] {
+  const faults: string[] = [];
+  const lastStep = new Map<number, number>();
+  plan.steps.forEach((step, i) => {
+    lastStep.set(step.group, i);
+  });
+  const whole = plan.groups.find((group) => group.id === 0);
+  if (whole?.parts.length !== count) {
+    faults.push(`the whole has ${whole?.parts.length ?? 0} of ${count} parts`);
+  }
+  for (const group of plan.groups) {
+    const added = plan.steps
+      .filter((step) => step.group === group.id)
+      .flatMap((step) => step.adds.flatMap((add) => add.parts));
+    const times = new Map<number, number>();
+    for (const part of added) {
+      times.set(part, (times.get(part) ?? 0) + 1);
+    }
+    for (const part of group.parts) {
+      if (times.get(part) !== 1) {
+        faults.push(`group ${group.id}: part ${part} comes ${times.get(part) ?? 0} times`);
+      }
+    }
+    if (added.length !== group.parts.length) {
+      faults.push(`group ${group.id}: ${added.length} parts are added to ${group.parts.length}`);
+    }
+  }
+  plan.steps.forEach((step, i) => {
+    for (const { subgroup } of step.adds) {
+      const built = subgroup === null ? -1 : (lastStep.get(subgroup) ?? Number.POSITIVE_INFINITY);
+      if (built >= i) {
+        faults.push(`step ${i + 1}: group ${subgroup} is not built yet`);
+      }
+    }
+  });
+  return faults;
+}

@@ -1,0 +1,54 @@
+/**
+ * The parts that the search builds with, and how a person's choice among them is said to it. Mirrors
+ * the defaults of core/search/annealer.h (lengths) and core/design/settings.h (connectors).
+ */
+
+/** Straight beams by their number of holes; 4 and 6 are two thin ones. */
+const BEAMS: readonly (readonly [number, string])[] = [
+  [2, '43857'],
+  [3, '32523'],
+  [5, '32316'],
+  [6, '32063'],
+  [7, '32524'],
+  [9, '40490'],
+  [11, '32525'],
+  [13, '41239'],
+  [15, '32278'],
+];
+
+const CONNECTORS: readonly string[] = ['2780', '6558', '87082', '48989', '55615'];
+
+/** Parts that cannot be switched off: joints in line are pinned with them. */
+export const NEEDED_PARTS: ReadonlySet<string> = new Set(['2780']);
+
+/** All parts that can be switched, beams first, in the order in which they are shown. */
+export const SET_PARTS: readonly string[] = [...BEAMS.map(([, id]) => id), ...CONNECTORS];
+
+/** The settings of the search for a brick set; none for the whole one. */
+export function brickSetSettings(off: ReadonlySet<string>): Readonly<Record<string, string>> {
+  const lengths = BEAMS.filter(([, id]) => !off.has(id)).map(([length]) => length);
+  const connectors = CONNECTORS.filter((id) => NEEDED_PARTS.has(id) || !off.has(id));
+  return {
+    ...(lengths.length < BEAMS.length && lengths.length > 0 ? { lengths: lengths.join() } : {}),
+    ...(connectors.length < CONNECTORS.length ? { connectors: connectors.join() } : {}),
+  };
+}
+
+/** Parts that a model needs beyond what is owned, by part number. Parts not counted are enough. */
+export function shortages(
+  needed: Iterable<{ readonly part: string; readonly count: number }>,
+  owned: Readonly<Record<string, number>>,
+): ReadonlyMap<string, number> {
+  const sums = new Map<string, number>();
+  for (const { part, count } of needed) {
+    sums.set(part, (sums.get(part) ?? 0) + count);
+  }
+  const short = new Map<string, number>();
+  for (const [part, count] of sums) {
+    const have = owned[part];
+    if (have !== undefined && have < count) {
+      short.set(part, count - have);
+    }
+  }
+  return short;
+}

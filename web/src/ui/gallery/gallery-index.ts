@@ -1,0 +1,92 @@
+import { readSketchValue } from '../../state/read-sketch.ts';
+import type { Example } from '../page.ts';
+import { language } from '../text/language.ts';
+
+/** One model of the gallery, as public/gallery/index.json lists it. */
+export interface GalleryRow {
+  readonly id: string;
+  /** Beside the index. */
+  readonly file: string;
+  readonly title: string;
+  readonly text: string;
+  readonly moves: boolean;
+  readonly gears: string | null;
+  /** Written by scripts/gallery.mjs. */
+  readonly beams: number;
+  readonly bricks: number;
+  /** Grams. */
+  readonly mass: number;
+}
+
+const FOLDER = 'gallery/';
+const FILE = /^(\.\.\/examples\/)?[\w-]+\.(sketch|gears)\.json$/;
+
+/** The address of a file of the gallery. */
+export function galleryFile(name: string): string {
+  return new URL(FOLDER + name, document.baseURI).href;
+}
+
+export function thumbnailOf(row: GalleryRow): string {
+  return galleryFile(`thumbs/${row.id}.png`);
+}
+
+/** All models of the gallery. @throws Error when the list cannot be had. */
+export async function loadGallery(): Promise<GalleryRow[]> {
+  const value: unknown = await fetchJson(galleryFile('index.json'));
+  const rows =
+    typeof value === 'object' && value !== null && 'models' in value ? value.models : null;
+  if (!Array.isArray(rows)) {
+    throw new Error('the list of models is unreadable');
+  }
+  return rows.flatMap((row: unknown) => readRow(row) ?? []);
+}
+
+/** A model's sketch, ready to be opened. @throws Error when it cannot be had. */
+export async function loadGallerySketch(row: GalleryRow): Promise<Example> {
+  const sketch = readSketchValue(await fetchJson(galleryFile(row.file)));
+  if (!sketch.ok) {
+    throw new Error(sketch.message);
+  }
+  return { file: row.file, title: row.title, description: row.text, sketch: sketch.value };
+}
+
+export async function fetchJson(address: string): Promise<unknown> {
+  const reply = await fetch(address);
+  if (!reply.ok) {
+    throw new Error(`${reply.status}`);
+  }
+  return reply.json();
+}
+
+function readRow(value: unknown): GalleryRow | null {
+  if (typeof value !== 'object' || value === null) {
+    return null;
+  }
+  const { id, file, title, text, moves, gears, beams, bricks, mass } = value as Record<
+    string,
+    unknown
+  >;
+  if (typeof id !== 'string' || typeof file !== 'string' || !FILE.test(file)) {
+    return null;
+  }
+  return {
+    id,
+    file,
+    title: inLanguage(title),
+    text: inLanguage(text),
+    moves: moves === true,
+    gears: typeof gears === 'string' && FILE.test(gears) ? gears : null,
+    beams: Number(beams) || 0,
+    bricks: Number(bricks) || 0,
+    mass: Number(mass) || 0,
+  };
+}
+
+function inLanguage(value: unknown): string {
+  const words = (typeof value === 'object' && value !== null ? value : {}) as Record<
+    string,
+    unknown
+  >;
+  const found = words[language] ?? words['en'];
+  return typeof found === 'string' ? found : '';
+}

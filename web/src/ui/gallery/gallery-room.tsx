@@ -1,0 +1,101 @@
+import { useEffect, useState } from 'preact/hooks';
+import { fillWords } from '../../tools/tool-words.ts';
+import { usePage } from '../page-context.ts';
+import { linkTo } from '../share/page-link.ts';
+import { formatNumber } from '../text/language.ts';
+import { type GalleryRow, loadGallery, loadGallerySketch, thumbnailOf } from './gallery-index.ts';
+import { galleryWords as words } from './gallery-words.ts';
+import { GearView } from './gear-view.tsx';
+import './gallery.css';
+
+/** The paper's models as our own drawings, and two with gears. */
+export function GalleryRoom() {
+  const page = usePage();
+  const [rows, setRows] = useState<readonly GalleryRow[] | null>(null);
+  const [said, setSaid] = useState({ text: '', bad: false });
+  const [turning, setTurning] = useState<GalleryRow | null>(null);
+  const failed = (error: unknown) =>
+    setSaid({ text: fillWords(words.failed, { message: String(error) }), bad: true });
+  useEffect(() => {
+    loadGallery().then(setRows, failed);
+  }, []);
+  const open = async (row: GalleryRow): Promise<void> => {
+    page.openExample(await loadGallerySketch(row));
+    page.openRoom(null);
+  };
+  const copy = async (row: GalleryRow): Promise<void> => {
+    const { sketch } = await loadGallerySketch(row);
+    const { preset } = page.preferences.value;
+    const link = await linkTo(
+      { sketch: { ...sketch, name: row.title }, preset, seed: 1 },
+      location.href,
+    );
+    if (!link.ok) {
+      throw new Error(link.message);
+    }
+    await navigator.clipboard.writeText(link.value);
+    setSaid({ text: fillWords(words.copied, { name: row.title }), bad: false });
+  };
+  if (turning) {
+    return <GearView row={turning} onBack={() => setTurning(null)} />;
+  }
+  return (
+    <div class="gallery">
+      <p class="quiet">{words.intro}</p>
+      <p role={said.bad ? 'alert' : 'status'}>{said.text}</p>
+      <ul class="gallery-grid">
+        {rows?.map((row) => (
+          <GalleryCard
+            key={row.id}
+            row={row}
+            onOpen={() => {
+              open(row).catch(failed);
+            }}
+            onCopy={() => {
+              copy(row).catch(failed);
+            }}
+            onTurn={row.gears ? () => setTurning(row) : null}
+          />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+function GalleryCard(props: {
+  readonly row: GalleryRow;
+  readonly onOpen: () => void;
+  readonly onCopy: () => void;
+  readonly onTurn: (() => void) | null;
+}) {
+  const { row, onOpen, onCopy, onTurn } = props;
+  return (
+    <li class="gallery-card" data-model={row.id}>
+      <button type="button" class="gallery-open" onClick={onOpen}>
+        <img src={thumbnailOf(row)} alt="" width={320} height={240} loading="lazy" />
+        <strong>{row.title}</strong>
+        <span class="quiet">{row.text}</span>
+      </button>
+      <p class="gallery-facts">
+        <span>
+          {fillWords(words.facts, {
+            beams: row.beams,
+            bricks: row.bricks,
+            mass: formatNumber(row.mass),
+          })}
+        </span>
+        {row.moves ? <span class="gallery-badge">{words.moves}</span> : null}
+      </p>
+      <div class="gallery-buttons">
+        {onTurn ? (
+          <button type="button" class="button" onClick={onTurn}>
+            {words.turn}
+          </button>
+        ) : null}
+        <button type="button" class="button plain" onClick={onCopy}>
+          {words.copy}
+        </button>
+      </div>
+    </li>
+  );
+}

@@ -1,0 +1,51 @@
+import { useEffect, useRef } from 'preact/hooks';
+import { colourHex, colourName } from '../../model/colours.ts';
+import type { PartCount } from '../../model/counts.ts';
+import type { MeshShelf } from '../../view/drawing/drawn-part.ts';
+import type { Picture } from '../../view/drawing/picture.ts';
+import { drawPartPicture } from './step-picture.ts';
+
+const SIZE = { width: 132, height: 84, margin: 4 } as const;
+const pictures = new WeakMap<MeshShelf, Map<string, Picture>>();
+
+function pictureOf(row: PartCount, shelf: MeshShelf): Picture {
+  const known = pictures.get(shelf) ?? new Map<string, Picture>();
+  pictures.set(shelf, known);
+  const key = `${row.part}/${row.color}`;
+  const picture = known.get(key) ?? drawPartPicture(row.part, colourHex(row.color), shelf, SIZE);
+  known.set(key, picture);
+  return picture;
+}
+
+/** A part's picture with its count. */
+export function PartTile(props: {
+  readonly row: PartCount;
+  readonly shelf: MeshShelf;
+  readonly named?: boolean;
+}) {
+  const { row, shelf, named } = props;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const picture = pictureOf(row, shelf);
+    canvas.current
+      ?.getContext('2d')
+      ?.putImageData(new ImageData(picture.data, picture.width, picture.height), 0, 0);
+  }, [row, shelf]);
+  const name = shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? row.part;
+  return (
+    <li class="part-tile" title={`${name}, ${colourName(row.color)}, ${row.part}`}>
+      <canvas ref={canvas} width={SIZE.width} height={SIZE.height} />
+      <strong>{row.count}×</strong>
+      {named ? (
+        <span>
+          {name}
+          <small class="quiet">
+            {row.part}, {colourName(row.color)}
+          </small>
+        </span>
+      ) : (
+        <span class="visually-hidden">{name}</span>
+      )}
+    </li>
+  );
+}

@@ -1,0 +1,55 @@
+export type PaperName = 'A4' | 'Letter';
+
+/** Width and height in points (1/72 inch), upright. */
+export const PAPERS: Readonly<Record<PaperName, readonly [number, number]>> = {
+  A4: [595.28, 841.89],
+  Letter: [612, 792],
+};
+
+export const MARGIN = 36;
+
+/** Only what the built-in fonts can write: others become a question mark. */
+export function printable(text: string): string {
+  return text
+    .normalize('NFC')
+    .replaceAll('…', '...')
+    .replaceAll('–', '-')
+    .replace(/[^\x20-\x7e\xa0-\xff]/gu, '?');
+}
+
+/** A box on a page: points from the lower left corner. */
+export interface PageBox {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Two steps a page: the upper and the lower half between head and foot. */
+export function stepBoxes(paper: PaperName): readonly [PageBox, PageBox] {
+  const [width, height] = PAPERS[paper];
+  const inner = height - 2 * MARGIN - 16;
+  const half = inner / 2;
+  const box = (y: number): PageBox => ({
+    x: MARGIN,
+    y,
+    width: width - 2 * MARGIN,
+    height: half - 8,
+  });
+  return [box(MARGIN + 16 + half + 8), box(MARGIN + 16)];
+}
+
+/** How many rows and columns of the parts list fit a page. */
+export function partsGrid(paper: PaperName): { readonly columns: number; readonly rows: number } {
+  const [, height] = PAPERS[paper];
+  return { columns: 4, rows: Math.floor((height - 2 * MARGIN - 60) / 104) };
+}
+
+/** Pages of the book: which steps share one. A subassembly begins on a page of its own half. */
+export function pageSteps(count: number): number[][] {
+  const pages: number[][] = [];
+  for (let i = 0; i < count; i += 2) {
+    pages.push(i + 1 < count ? [i, i + 1] : [i]);
+  }
+  return pages;
+}

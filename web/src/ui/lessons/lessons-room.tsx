@@ -1,0 +1,4 @@
+/** To come. */
+export function LessonsRoom() {
+  return <p />;
+}

@@ -1,0 +1,41 @@
+import { chooseWords } from '../text/language.ts';
+import type { Room } from './room.ts';
+
+export const ROOM_TITLES = chooseWords(
+  {
+    instructions: 'Building instructions',
+    share: 'Share and download',
+    gallery: 'Gallery',
+    lessons: 'Lessons',
+  } as const,
+  {
+    instructions: 'Bauanleitung',
+    share: 'Teilen und herunterladen',
+    gallery: 'Galerie',
+    lessons: 'Lektionen',
+  },
+);
+
+/** The rooms that take a model away from the screen, and those that teach. */
+export const TAKE_AWAY_ROOMS: readonly Room[] = [
+  {
+    id: 'instructions',
+    title: ROOM_TITLES.instructions,
+    load: () => import('../instructions/instructions-room.tsx').then((m) => m.InstructionsRoom),
+  },
+  {
+    id: 'share',
+    title: ROOM_TITLES.share,
+    load: () => import('../share/share-room.tsx').then((m) => m.ShareRoom),
+  },
+  {
+    id: 'gallery',
+    title: ROOM_TITLES.gallery,
+    load: () => import('../gallery/gallery-room.tsx').then((m) => m.GalleryRoom),
+  },
+  {
+    id: 'lessons',
+    title: ROOM_TITLES.lessons,
+    load: () => import('../lessons/lessons-room.tsx').then((m) => m.LessonsRoom),
+  },
+];

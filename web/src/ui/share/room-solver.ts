@@ -1,0 +1,9 @@
+import { createSolverClient, type SolverClient } from '../../solver/client.ts';
+
+let client: SolverClient | null = null;
+
+/** The solver of the rooms: one worker beside the drawing's, made when a room first needs it. */
+export function roomSolver(): SolverClient {
+  client ??= createSolverClient();
+  return client;
+}

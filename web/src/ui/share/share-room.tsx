@@ -1,0 +1,65 @@
+import { useEffect, useState } from 'preact/hooks';
+import { scale, type Vec3 } from '../../model/vec.ts';
+import { fillWords } from '../../tools/tool-words.ts';
+import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
+import { usePage } from '../page-context.ts';
+import { FileList } from './file-list.tsx';
+import { LinkSection } from './link-section.tsx';
+import { linkTo } from './page-link.ts';
+import { shareWords } from './share-words.ts';
+import './share.css';
+
+/** Link, QR code, embedding, and every file that can be downloaded. */
+export function ShareRoom() {
+  const page = usePage();
+  const sketch = page.store.sketch.value;
+  const { preset, seed } = page.preferences.value;
+  const [link, setLink] = useState<{ readonly url: string; readonly refusal: string }>({
+    url: '',
+    refusal: '',
+  });
+  useEffect(() => {
+    let current = true;
+    linkTo({ sketch, preset, seed }, location.href)
+      .then((result) => {
+        if (current) {
+          setLink(
+            result.ok ? { url: result.value, refusal: '' } : { url: '', refusal: result.message },
+          );
+        }
+      })
+      .catch(() => undefined);
+    return () => {
+      current = false;
+    };
+  }, [sketch, preset, seed]);
+  const shown = page.shown.value;
+  if (sketch.lines.length === 0 && !shown) {
+    return <p class="share-empty">{shareWords.empty}</p>;
+  }
+  const title = sketch.name || 'model';
+  const eye = page.view()?.viewDirection();
+  const out: Vec3 = eye ? scale(eye, -1) : ISO_OUT;
+  return (
+    <div class="share-room">
+      {link.refusal ? <p role="alert">{link.refusal}</p> : null}
+      {link.url ? <LinkSection url={link.url} title={title} /> : null}
+      <FileList
+        source={{
+          title,
+          sketch,
+          model: shown ? { json: shown.json, model: shown.model } : null,
+          catalogue: page.catalogue,
+          out,
+        }}
+      />
+      <section class="share-card">
+        <h3>{shareWords.open}</h3>
+        <p class="quiet">{fillWords(shareWords.openText, {})}</p>
+        <button type="button" class="button" onClick={() => page.commands.run('open')}>
+          {shareWords.open}
+        </button>
+      </section>
+    </div>
+  );
+}

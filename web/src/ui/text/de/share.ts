@@ -1,0 +1,50 @@
+import type { SHARE_EN } from '../en/share.ts';
+import type { Words } from '../language.ts';
+
+export const SHARE_DE: Words<typeof SHARE_EN> = {
+  title: 'Teilen und herunterladen',
+  empty: 'Zeichne zuerst etwas: Es gibt noch nichts zu teilen.',
+  linkTitle: 'Link',
+  linkText:
+    'Der Link enthält die Skizze, die Einstellungen und den Startwert. Nichts wird hochgeladen: Wer ihn öffnet, bekommt dasselbe Modell, berechnet im eigenen Browser.',
+  copyLink: 'Link kopieren',
+  shareSheet: 'Teilen…',
+  copied: 'Kopiert.',
+  copyFailed: 'Der Browser lässt das Kopieren nicht zu. Markiere den Text und kopiere ihn.',
+  length: '{n} Zeichen',
+  linkField: 'Link zu dieser Skizze',
+  qrTitle: 'QR-Code',
+  qrLabel: 'QR-Code des Links',
+  qrTooLong: 'Dieser Link ist zu lang für einen QR-Code (höchstens {n} Zeichen).',
+  qrSave: 'QR-Code herunterladen (SVG)',
+  embedTitle: 'In eine Seite einbetten',
+  embedText: 'Ein Betrachter ohne Leisten. Er lädt, wenn man zu ihm scrollt.',
+  embedField: 'HTML zum Einbetten des Betrachters',
+  copyEmbed: 'HTML kopieren',
+  filesTitle: 'Dateien',
+  needsModel: 'Erzeuge zuerst das Modell; dann gibt es diese Dateien.',
+  download: 'Herunterladen',
+  written: '{name} heruntergeladen.',
+  failed: 'Die Datei konnte nicht geschrieben werden: {message}',
+  open: 'Datei öffnen',
+  openText:
+    'Unsere Skizzen und Modelle (.json), unsere LDraw-Dateien (.mpd) und Linienzeichnungen aus Modellierprogrammen (.obj mit Zeilen v und l).',
+  groups: {
+    building: 'Für Bauprogramme',
+    buying: 'Zum Zählen und Kaufen',
+    shapes: 'Formen und Bilder',
+    own: 'Unsere eigenen Dateien',
+  },
+  files: {
+    mpd: ['LDraw-Modell (.mpd)', 'Öffnet sich in LeoCAD, Studio und anderen.'],
+    'parts.csv': ['Rebrickable-Teileliste (.csv)', 'Vergleiche mit den Teilen, die du hast.'],
+    'wanted.xml': ['BrickLink-Wunschliste (.xml)', 'Lade sie als Wunschliste hoch.'],
+    'spreadsheet.csv': ['Tabelle (.csv)', 'Name, Nummer, Farbe, Anzahl und Masse jedes Teils.'],
+    glb: ['3D-Szene (.glb)', 'glTF mit Farben, für Betrachter und Folien.'],
+    stl: ['Oberflächen (.stl)', 'Millimeter, für Programme ohne Farben.'],
+    png: ['Bild (.png)', 'Auf durchsichtigem Grund.'],
+    svg: ['Linienzeichnung (.svg)', 'Ohne verdeckte Linien, für den Druck.'],
+    'sketch.json': ['Skizze (.json)', 'Um später weiterzuzeichnen.'],
+    'model.json': ['Modell (.json)', 'Jedes Teil an seinem Platz.'],
+  },
+};

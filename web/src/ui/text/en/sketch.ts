@@ -1,0 +1,24 @@
+// What the program finds in a sketch.
+
+export const SKETCH_EN = {
+  faults: {
+    title: 'Cannot be built as drawn',
+    crossing: 'Lines {a} and {b} cross between their nodes: no pin can join them.',
+    mendCrossing: 'Move to nodes',
+    twin: 'Lines {a} and {b} are the same line twice.',
+    mendTwin: 'Remove one',
+    refused: 'Line {n}: {message}',
+    edit: 'Mend',
+  },
+  symmetry: {
+    title: 'Symmetry',
+    text: 'Ticked planes are kept: the model is searched for with both sides alike.',
+    found: 'found',
+    plane: 'Mirror at {plane}',
+    translation: 'Repeated along a line',
+    heldNote: '{n} kept',
+    foundNote: '{n} found',
+    edit: 'Symmetry',
+    confirmed: 'Symmetry kept.',
+  },
+} as const;
