@@ -126,9 +126,17 @@ class Planner {
     return {set, {clearingLeg(graphs_, state, set, *direction)}, -1, false};
   }
 
-  //! Smaller leaves first: high parts, fasteners, what is near the last one.
-  [[nodiscard]] std::tuple<double, int, double, int> orderOf(int part) const {
+  //! Smaller leaves first: fasteners that hold nothing any more, high parts, fasteners, what is
+  //! near the last one.
+  using Key = std::tuple<bool, int, double, bool, double, int>;
+
+  [[nodiscard]] Key keyOf(const DisassemblyState& state, int part, bool cut) const {
     const Scene& scene = graphs_.scene;
+    const bool fastener = isFastener(scene, part);
+    const std::vector<int>& holders = graphs_.neighbours[at(part)];
+    const bool idle = fastener && std::count_if(holders.begin(), holders.end(), [&](int other) {
+                                    return state.has(other);
+                                  }) <= 1;
     const double level = std::floor(2.0 * scene.parts[at(part)].box.min.z + 0.5);
     double way = 0.0;
     if (last_ >= 0) {
@@ -136,30 +144,39 @@ class Planner {
           scene.model->parts[at(part)].pose.position - scene.model->parts[at(last_)].pose.position;
       way = std::floor(lattice::length(offset) * 64.0 + 0.5);
     }
-    return {-level, isFastener(scene, part) ? 0 : 1, way, part};
+    return {cut, idle ? 0 : 1, -level, !fastener, way, part};
   }
 
   [[nodiscard]] std::vector<int> byOrder(const DisassemblyState& state) const {
-    std::vector<int> parts = state.parts();
-    std::sort(parts.begin(), parts.end(), [&](int a, int b) { return orderOf(a) < orderOf(b); });
+    std::vector<Key> keys;
+    for (const int part : state.parts()) {
+      keys.push_back(keyOf(state, part, false));
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<int> parts;
+    for (const Key& key : keys) {
+      parts.push_back(std::get<5>(key));
+    }
     return parts;
   }
 
   //! Parts that can leave alone, the best first; those that divide the rest come last.
   [[nodiscard]] std::vector<Candidate> findSingles(const DisassemblyState& state) const {
     const std::vector<char> cut = state.cutParts();
-    std::vector<Candidate> found;
+    std::vector<Key> keys;
     for (const int part : state.parts()) {
       for (std::size_t d = 0; d < graphs_.blocking.directions().size(); ++d) {
         if (state.blockerCount(static_cast<int>(d), part) == 0) {
-          found.push_back({part, cut[at(part)] != 0});
+          keys.push_back(keyOf(state, part, cut[at(part)] != 0));
           break;
         }
       }
     }
-    std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
-      return a.cut != b.cut ? b.cut : orderOf(a.part) < orderOf(b.part);
-    });
+    std::sort(keys.begin(), keys.end());
+    std::vector<Candidate> found;
+    for (const Key& key : keys) {
+      found.push_back({std::get<5>(key), std::get<0>(key)});
+    }
     return found;
   }
 

@@ -21,7 +21,8 @@ struct Add {
 struct Step {
   int group = 0;
   std::vector<Add> adds;
-  bool stable = false;  //!< what is built of the group by then stands on the table by itself
+  bool stable =
+      false;  //!< what is built of the group by then stands or lies on the table by itself
 };
 
 //! \brief Parts that are built apart, once for each copy.
