@@ -111,7 +111,10 @@ function LessonPage(props: { readonly id: LessonId; readonly go: (place: Place) 
   const next = LESSONS[index + 1];
   useEffect(() => {
     let open = true;
-    LESSONS[index]?.load().then((component) => open && setBody({ component }), () => undefined);
+    LESSONS[index]?.load().then(
+      (component) => open && setBody({ component }),
+      () => undefined,
+    );
     return () => {
       open = false;
     };
