@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "cli/stress_text.h"
+
 namespace liftarm::cli {
 
 namespace {
@@ -70,6 +72,9 @@ std::string reportText(const ordered_json& report) {
   }
   if (report.contains("items")) {
     text += itemsText(report.at("items"));
+  }
+  if (report.contains("stress")) {
+    text += stressText(report.at("stress"));
   }
   if (report.contains("problems") && !report.at("problems").empty()) {
     text += "problems:\n" + problemsText(report.at("problems"));

@@ -10,6 +10,7 @@
 
 #include "cli/files.h"
 #include "cli/report_text.h"
+#include "cli/stress_text.h"
 #include "design/design_session.h"
 #include "sketch/sketch_json.h"
 
@@ -148,7 +149,9 @@ ExitCode checkCommand(const std::string& modelPath, bool json) {
   if (!checked.ok()) {
     return refuse(modelPath + ": " + checked.error().message);
   }
-  return printReport(ordered_json::parse(checked.value(), nullptr, false), modelPath, json);
+  ordered_json report = ordered_json::parse(checked.value(), nullptr, false);
+  report["stress"] = stressSummary(model.value());
+  return printReport(std::move(report), modelPath, json);
 }
 
 }  // namespace liftarm::cli
