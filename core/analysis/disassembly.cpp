@@ -65,21 +65,34 @@ class Planner {
     DisassemblyState state(graphs_.blocking, graphs_.neighbours, plan_.groups[g].parts);
     last_ = -1;
     while (state.parts().size() > 1) {
+      if (state.parts().size() < plan_.groups[g].parts.size() && isUnit(state.parts())) {
+        addRemoval({state.parts(), {}, -1, false}, g);
+        return;
+      }
       Removal removal = next(state);
       if (removal.parts.empty()) {
         removal = force(state);
       }
-      if (removal.parts.size() > 1) {
-        removal.group = static_cast<int>(plan_.groups.size());
-        plan_.groups.push_back({removal.parts, {}});
-      }
       state.remove(removal.parts);
       last_ = removal.parts.front();
-      plan_.groups[g].removals.push_back(std::move(removal));
+      addRemoval(std::move(removal), g);
     }
     if (!state.parts().empty()) {
       plan_.groups[g].removals.push_back({state.parts(), {}, -1, false});
     }
+  }
+
+  void addRemoval(Removal removal, std::size_t g) {
+    if (removal.parts.size() > 1) {
+      removal.group = static_cast<int>(plan_.groups.size());
+      plan_.groups.push_back({removal.parts, {}});
+    }
+    plan_.groups[g].removals.push_back(std::move(removal));
+  }
+
+  [[nodiscard]] bool isUnit(const std::vector<int>& parts) const {
+    const int unit = unitOf_[at(parts.front())];
+    return unit >= 0 && wishes_.units[at(unit)] == parts;
   }
 
   [[nodiscard]] Removal next(const DisassemblyState& state) const {

@@ -84,6 +84,22 @@ std::vector<std::string> numbersOf(const Scene& scene, const std::vector<int>& p
   return numbers;
 }
 
+//! How many parts are turned just as the match says, and not the other way round.
+std::size_t countExact(const Scene& scene, const std::vector<int>& first, const Match& match) {
+  std::size_t exact = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Mat3 turned =
+        match.pose.rotation * scene.model->parts[static_cast<std::size_t>(first[i])].pose.rotation;
+    const Mat3& own = scene.model->parts[static_cast<std::size_t>(match.parts[i])].pose.rotation;
+    bool same = true;
+    for (std::size_t k = 0; k < own.m.size(); ++k) {
+      same = same && std::abs(turned.m[k] - own.m[k]) < 1e-3;
+    }
+    exact += same ? 1 : 0;
+  }
+  return exact;
+}
+
 bool isStraightPin(const Scene& scene, int index) {
   const parts::Part& part = *scene.parts[static_cast<std::size_t>(index)].part;
   return part.partClass == parts::PartClass::kPin &&
@@ -152,11 +168,13 @@ std::optional<Match> findMatch(const Scene& scene,
   }
   const Vec3 from = middleOf(scene, first);
   const Vec3 to = middleOf(scene, second);
+  std::optional<Match> best;
+  std::size_t mostExact = 0;
   for (const bool mirrored : {false, true}) {
     for (const Mat3& turn : lattice::latticeRotations()) {
       Transform transform{turn, mirrored, {}};
       transform.shift = to - transform.apply(from);
-      Match match{{}, mirrored};
+      Match match{{}, mirrored, {transform.shift, turn}};
       for (const int part : first) {
         const auto found = target.find(figureOf(scene, part, transform));
         if (found == target.end()) {
@@ -164,12 +182,20 @@ std::optional<Match> findMatch(const Scene& scene,
         }
         match.parts.push_back(found->second);
       }
-      if (match.parts.size() == first.size()) {
-        return match;
+      if (match.parts.size() < first.size()) {
+        continue;
+      }
+      const std::size_t exact = mirrored ? 0 : countExact(scene, first, match);
+      if (!best.has_value() || exact > mostExact) {
+        mostExact = exact;
+        best = std::move(match);
       }
     }
+    if (best.has_value()) {
+      return best;
+    }
   }
-  return std::nullopt;
+  return best;
 }
 
 std::vector<std::vector<int>> findRepeatedFrames(const Scene& scene) {

@@ -11,6 +11,7 @@ namespace liftarm::instructions {
 struct Match {
   std::vector<int> parts;  //!< of the second set, in the order of the first
   bool mirrored = false;   //!< a reflection, not a turn, takes one to the other
+  lattice::Pose pose;      //!< takes the first to the second, unless mirrored
 };
 
 //! \brief Whether two sets are the same but for one of the 24 turns of the lattice, a shift and, as

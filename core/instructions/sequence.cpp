@@ -57,7 +57,7 @@ class Writer {
         continue;  // what it is made of is built as that of the first one
       }
       number_[g] = static_cast<int>(sequence_.groups.size());
-      sequence_.groups.push_back({plan_.groups[g].parts, {}, {}});
+      sequence_.groups.push_back({plan_.groups[g].parts, {}, {}, {}});
       original_.push_back(g);
       for (const Removal& removal : plan_.groups[g].removals) {
         if (removal.group >= 0) {
@@ -75,6 +75,7 @@ class Writer {
         number_[g] = static_cast<int>(known);
         group.copies.push_back(std::move(match->parts));
         group.mirrored.push_back(match->mirrored);
+        group.poses.push_back(match->pose);
         return true;
       }
     }

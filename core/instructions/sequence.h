@@ -29,8 +29,9 @@ struct Step {
 struct Group {
   std::vector<int> parts;  //!< all of them, those of its subgroups included
   std::vector<std::vector<int>>
-      copies;                  //!< the parts of each further copy, in the order of `parts`
-  std::vector<bool> mirrored;  //!< for each copy: built as the mirror image
+      copies;                        //!< the parts of each further copy, in the order of `parts`
+  std::vector<bool> mirrored;        //!< for each copy: built as the mirror image
+  std::vector<lattice::Pose> poses;  //!< for each copy that is not: takes the group to it
 };
 
 //! \brief How a model is built. Group 0 is the whole; the steps of a group come before the step
