@@ -14,6 +14,9 @@ import {
   test,
 } from './helpers/test.ts';
 
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
 interface Line {
   readonly from: [number, number, number];
   readonly to: [number, number, number];
@@ -25,7 +28,8 @@ async function linesOf(page: Page): Promise<readonly Line[]> {
 
 /** Looks from a side at what is drawn, a little from afar. @returns where points are on screen. */
 async function lookFrom(page: Page, view: 'iso' | 'top'): Promise<Camera> {
-  const shown = (await linesOf(page)).flatMap(({ from, to }) => [from, to]);
+  const empty = await page.getByText('Draw some lines first.').isVisible();
+  const shown = empty ? [] : (await linesOf(page)).flatMap(({ from, to }) => [from, to]);
   await page.keyboard.press(view === 'iso' ? 'i' : 't');
   await settled(page);
   await page.keyboard.press('-');

@@ -48,6 +48,7 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     generate: 'Modell erzeugen',
     cancel: 'Abbrechen',
     autoSolve: 'Nach jeder Änderung erzeugen',
+    searchLonger: 'Viermal so lange suchen',
     bricks: 'Teilesatz …',
     newSeed: 'Anderen Startwert versuchen',
     planeAuto: 'Ebene: nach der Ansicht',

@@ -47,6 +47,7 @@ export const COMMANDS_EN = {
     generate: 'Generate the model',
     cancel: 'Cancel',
     autoSolve: 'Generate after each edit',
+    searchLonger: 'Search four times as long',
     bricks: 'Brick set…',
     newSeed: 'Try another seed',
     planeAuto: 'Plane: choose by the view',
