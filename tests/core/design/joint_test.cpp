@@ -7,6 +7,7 @@
 
 #include "core/helpers/layouts.h"
 #include "design/model_builder.h"
+#include "search/annealer.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::design {
