@@ -99,10 +99,10 @@ class Planner {
     const std::vector<Candidate> singles = findSingles(state);
     Removal removal = leavingComponent(state);
     if (removal.parts.empty()) {
-      removal = leavingSingle(state, singles, true);
+      removal = leavingUnit(state);
     }
     if (removal.parts.empty()) {
-      removal = leavingUnit(state);
+      removal = leavingSingle(state, singles, true);
     }
     if (removal.parts.empty()) {
       removal = leavingSingle(state, singles, false);

@@ -20,6 +20,7 @@ using lattice::Vec3;
 using parts::PartClass;
 
 constexpr std::size_t kMaxPartsInStep = 6;
+constexpr std::size_t kMaxWaysInStep = 2;
 
 Add reversed(const Removal& removal) {
   Add add{removal.parts, {}, removal.group, removal.forced};
@@ -121,37 +122,50 @@ class Writer {
     finish();
   }
 
-  //! Whether one picture can show this too: a few pins and then what goes on them, or alike parts
-  //! that go the same way.
+  //! Whether one picture can show this too: a few pins and connectors and then what goes on them,
+  //! or alike parts that go the same way.
   [[nodiscard]] bool joins(const Step& step, const Add& add, std::size_t built) const {
     if (step.adds.empty()) {
       return true;
     }
     const Add& last = step.adds.back();
     if (add.subgroup >= 0 || add.forced || last.subgroup >= 0 || last.forced ||
-        step.adds.size() >= kMaxPartsInStep) {
+        step.adds.size() >= kMaxPartsInStep || waysOf(step, add) > kMaxWaysInStep) {
       return false;
     }
-    if (isFastener(last) && isFastener(add)) {
-      return sameWay(last, add);
-    }
-    if (isFastener(last)) {
-      return true;
+    if (holdsOthers(last)) {
+      return !holdsOthers(add) || !touchesAny(step, add);
     }
     const bool first = built == step.adds.size();  // nothing to lay it on yet
-    if (isFastener(add)) {
+    if (holdsOthers(add)) {
       return first;
     }
-    return partOf(last).id == partOf(add).id && sameWay(last, add) && !touch(last, add);
+    return partOf(last).id == partOf(add).id && sameWay(last, add) && !touchesAny(step, add);
+  }
+
+  //! How many ways the arrows of a picture would point.
+  static std::size_t waysOf(const Step& step, const Add& add) {
+    std::vector<const Add*> different;
+    const auto count = [&](const Add& one) {
+      if (!one.legs.empty() && std::none_of(different.begin(), different.end(), [&](const Add* d) {
+            return sameWay(*d, one);
+          })) {
+        different.push_back(&one);
+      }
+    };
+    std::for_each(step.adds.begin(), step.adds.end(), count);
+    count(add);
+    return different.size();
   }
 
   [[nodiscard]] const parts::Part& partOf(const Add& add) const {
     return *scene_.parts[static_cast<std::size_t>(add.parts.front())].part;
   }
 
-  [[nodiscard]] bool isFastener(const Add& add) const {
+  //! Anything but a beam or a gear: it goes in so that others can go on it.
+  [[nodiscard]] bool holdsOthers(const Add& add) const {
     const PartClass c = partOf(add).partClass;
-    return c == PartClass::kPin || c == PartClass::kAxle || c == PartClass::kBush;
+    return c != PartClass::kBeam && c != PartClass::kGear;
   }
 
   static bool sameWay(const Add& a, const Add& b) {
@@ -162,9 +176,11 @@ class Writer {
            0.99;
   }
 
-  [[nodiscard]] bool touch(const Add& a, const Add& b) const {
-    const std::vector<int>& near = neighbours_[static_cast<std::size_t>(a.parts.front())];
-    return std::binary_search(near.begin(), near.end(), b.parts.front());
+  [[nodiscard]] bool touchesAny(const Step& step, const Add& add) const {
+    const std::vector<int>& near = neighbours_[static_cast<std::size_t>(add.parts.front())];
+    return std::any_of(step.adds.begin(), step.adds.end(), [&](const Add& other) {
+      return std::binary_search(near.begin(), near.end(), other.parts.front());
+    });
   }
 
   [[nodiscard]] std::vector<std::vector<int>> connectedSets(const std::vector<int>& parts) const {
