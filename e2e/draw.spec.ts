@@ -12,6 +12,9 @@ import {
   test,
 } from './helpers/test.ts';
 
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
 /** Corners of a frame in the view from above, and the first corner again. */
 const FRAME = [
   [-200, -150],

@@ -1,5 +1,8 @@
 import { expect, openEmpty, openPage, openText, savedSketch, test } from './helpers/test.ts';
 
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
 const GOOD = JSON.stringify({
   format: 'technic-sketch',
   version: 1,

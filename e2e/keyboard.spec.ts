@@ -1,5 +1,8 @@
 import { expect, generate, openEmpty, runCommand, savedSketch, test } from './helpers/test.ts';
 
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
 test('a box is drawn with the keyboard alone', async ({ page }) => {
   await openEmpty(page);
   await page.locator('.scene canvas').focus();

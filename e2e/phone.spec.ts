@@ -1,7 +1,7 @@
 import type { CDPSession } from '@playwright/test';
 import { canvasPoint, expect, openPage, savedSketch, settled, test } from './helpers/test.ts';
 
-test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+test.use({ draws: false, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
 async function drag(
   session: CDPSession,

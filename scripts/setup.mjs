@@ -16,7 +16,7 @@ const BUILD_PACKAGES = [
   'libgmock-dev',
   'libbenchmark-dev',
 ];
-const TEST_PACKAGES = ['clang-format', 'chromium', 'fonts-dejavu-core'];
+const TEST_PACKAGES = ['clang-format', 'chromium', 'fonts-dejavu-core', 'calculix-ccx'];
 const APT_OPTIONS = ['-qq', '-o', 'DPkg::Lock::Timeout=300', '-o', 'Acquire::Retries=3'];
 
 function isInstalled(name) {

@@ -72,6 +72,18 @@ SolverReply analyseStressJson(const std::string& modelJson, const std::string& o
   return toReply(liftarm::design::analyseStressJson(modelJson, optionsJson));
 }
 
+SolverReply analyseMotionJson(const std::string& modelJson) {
+  return toReply(liftarm::design::analyseMotionJson(modelJson));
+}
+
+SolverReply jointMotionJson(const std::string& modelJson, int joint) {
+  return toReply(liftarm::design::jointMotionJson(modelJson, joint));
+}
+
+SolverReply freeMotionJson(const std::string& modelJson, int motion) {
+  return toReply(liftarm::design::freeMotionJson(modelJson, motion));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -92,6 +104,9 @@ EMSCRIPTEN_BINDINGS(liftarm) {
   emscripten::function("checkModelJson", &checkModelJson);
   emscripten::function("planAssemblyJson", &planAssemblyJson);
   emscripten::function("analyseStressJson", &analyseStressJson);
+  emscripten::function("analyseMotionJson", &analyseMotionJson);
+  emscripten::function("jointMotionJson", &jointMotionJson);
+  emscripten::function("freeMotionJson", &freeMotionJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }

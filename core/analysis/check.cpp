@@ -86,6 +86,8 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
   const ItemResult disassembly = checkDisassembly(scene);
   report.assemblable = disassembly.problems.empty();
   add(report, "disassembly", "It can be taken apart, so it can be put together", disassembly);
+  report.motion = analyseMotion(scene, coverage);
+  add(report, "joints", "Every joint turns", checkJoints(scene, report.motion));
   report.buildable = report.problems.empty();
 
   countParts(scene, report.counts);

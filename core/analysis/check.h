@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/findings.h"
+#include "analysis/motion.h"
 #include "model/model.h"
 
 namespace liftarm::analysis {
@@ -35,12 +36,13 @@ struct CheckReport {
   std::vector<CheckItem> items;
   std::vector<Problem> problems;  //!< item by item
   CheckCounts counts;
+  MotionReport motion;  //!< how it stands and moves; item 7 is judged by it
 };
 
-//! \brief Judges a model by DESIGN 5, items 1 to 6.
+//! \brief Judges a model by DESIGN 5, items 1 to 7.
 //! \details Written against the placed parts alone: shares nothing with the search but the
-//! catalogue. Item 7 (joints that turn) is not judged here.
-//! \param model May come from any file; its sketch, if it has one, is read for items 2, 4 and 5.
+//! catalogue.
+//! \param model May come from any file; its sketch, if it has one, is read for items 2, 4, 5 and 7.
 CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue);
 
 }  // namespace liftarm::analysis

@@ -65,31 +65,44 @@ class Planner {
     DisassemblyState state(graphs_.blocking, graphs_.neighbours, plan_.groups[g].parts);
     last_ = -1;
     while (state.parts().size() > 1) {
+      if (state.parts().size() < plan_.groups[g].parts.size() && isUnit(state.parts())) {
+        addRemoval({state.parts(), {}, -1, false}, g);
+        return;
+      }
       Removal removal = next(state);
       if (removal.parts.empty()) {
         removal = force(state);
       }
-      if (removal.parts.size() > 1) {
-        removal.group = static_cast<int>(plan_.groups.size());
-        plan_.groups.push_back({removal.parts, {}});
-      }
       state.remove(removal.parts);
       last_ = removal.parts.front();
-      plan_.groups[g].removals.push_back(std::move(removal));
+      addRemoval(std::move(removal), g);
     }
     if (!state.parts().empty()) {
       plan_.groups[g].removals.push_back({state.parts(), {}, -1, false});
     }
   }
 
+  void addRemoval(Removal removal, std::size_t g) {
+    if (removal.parts.size() > 1) {
+      removal.group = static_cast<int>(plan_.groups.size());
+      plan_.groups.push_back({removal.parts, {}});
+    }
+    plan_.groups[g].removals.push_back(std::move(removal));
+  }
+
+  [[nodiscard]] bool isUnit(const std::vector<int>& parts) const {
+    const int unit = unitOf_[at(parts.front())];
+    return unit >= 0 && wishes_.units[at(unit)] == parts;
+  }
+
   [[nodiscard]] Removal next(const DisassemblyState& state) const {
     const std::vector<Candidate> singles = findSingles(state);
     Removal removal = leavingComponent(state);
     if (removal.parts.empty()) {
-      removal = leavingSingle(state, singles, true);
+      removal = leavingUnit(state);
     }
     if (removal.parts.empty()) {
-      removal = leavingUnit(state);
+      removal = leavingSingle(state, singles, true);
     }
     if (removal.parts.empty()) {
       removal = leavingSingle(state, singles, false);
@@ -126,9 +139,17 @@ class Planner {
     return {set, {clearingLeg(graphs_, state, set, *direction)}, -1, false};
   }
 
-  //! Smaller leaves first: high parts, fasteners, what is near the last one.
-  [[nodiscard]] std::tuple<double, int, double, int> orderOf(int part) const {
+  //! Smaller leaves first: fasteners that hold nothing any more, high parts, fasteners, what is
+  //! near the last one.
+  using Key = std::tuple<bool, int, double, bool, double, int>;
+
+  [[nodiscard]] Key keyOf(const DisassemblyState& state, int part, bool cut) const {
     const Scene& scene = graphs_.scene;
+    const bool fastener = isFastener(scene, part);
+    const std::vector<int>& holders = graphs_.neighbours[at(part)];
+    const bool idle = fastener && std::count_if(holders.begin(), holders.end(), [&](int other) {
+                                    return state.has(other);
+                                  }) <= 1;
     const double level = std::floor(2.0 * scene.parts[at(part)].box.min.z + 0.5);
     double way = 0.0;
     if (last_ >= 0) {
@@ -136,30 +157,39 @@ class Planner {
           scene.model->parts[at(part)].pose.position - scene.model->parts[at(last_)].pose.position;
       way = std::floor(lattice::length(offset) * 64.0 + 0.5);
     }
-    return {-level, isFastener(scene, part) ? 0 : 1, way, part};
+    return {cut, idle ? 0 : 1, -level, !fastener, way, part};
   }
 
   [[nodiscard]] std::vector<int> byOrder(const DisassemblyState& state) const {
-    std::vector<int> parts = state.parts();
-    std::sort(parts.begin(), parts.end(), [&](int a, int b) { return orderOf(a) < orderOf(b); });
+    std::vector<Key> keys;
+    for (const int part : state.parts()) {
+      keys.push_back(keyOf(state, part, false));
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<int> parts;
+    for (const Key& key : keys) {
+      parts.push_back(std::get<5>(key));
+    }
     return parts;
   }
 
   //! Parts that can leave alone, the best first; those that divide the rest come last.
   [[nodiscard]] std::vector<Candidate> findSingles(const DisassemblyState& state) const {
     const std::vector<char> cut = state.cutParts();
-    std::vector<Candidate> found;
+    std::vector<Key> keys;
     for (const int part : state.parts()) {
       for (std::size_t d = 0; d < graphs_.blocking.directions().size(); ++d) {
         if (state.blockerCount(static_cast<int>(d), part) == 0) {
-          found.push_back({part, cut[at(part)] != 0});
+          keys.push_back(keyOf(state, part, cut[at(part)] != 0));
           break;
         }
       }
     }
-    std::sort(found.begin(), found.end(), [&](const Candidate& a, const Candidate& b) {
-      return a.cut != b.cut ? b.cut : orderOf(a.part) < orderOf(b.part);
-    });
+    std::sort(keys.begin(), keys.end());
+    std::vector<Candidate> found;
+    for (const Key& key : keys) {
+      found.push_back({std::get<5>(key), std::get<0>(key)});
+    }
     return found;
   }
 

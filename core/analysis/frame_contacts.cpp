@@ -74,8 +74,8 @@ void holdSideways(FrameModel& model, Vec3 up, const std::vector<FrameSpring>& fe
   addHold(model, second, {0, kGroundStiffness, 0, 0, 0, 0});
 }
 
-//! Of the loads there so far, which are weights along -z. Modules.
-Vec3 centreOfMass(const Frame& frame) {
+//! Of the frame's loads so far, which are weights along -z, and of what presses down. Modules.
+Vec3 centreOf(const Frame& frame, const std::vector<PointLoad>& loads) {
   Vec3 sum;
   double total = 0.0;
   const auto add = [&](Vec3 at, double weight) {
@@ -89,6 +89,9 @@ Vec3 centreOfMass(const Frame& frame) {
   }
   for (std::size_t node = 0; node < frame.nodes.size(); ++node) {
     add(frame.nodes[node], -frame.loads[node][2]);
+  }
+  for (const PointLoad& load : loads) {
+    add(kMillimetresPerModule * load.at, std::max(0.0, -load.force.z));
   }
   return total > 0.0 ? (1.0 / (total * kMillimetresPerModule)) * sum : sum;
 }
@@ -106,8 +109,8 @@ void turnWeights(Frame& frame, Vec3 up) {
 
 }  // namespace
 
-void addGround(const Scene& scene, FrameModel& model) {
-  const Rest rest = findRest(scene, centreOfMass(model.frame));
+void addGround(const Scene& scene, const std::vector<PointLoad>& loads, FrameModel& model) {
+  const Rest rest = findRest(scene, centreOf(model.frame, loads));
   model.up = rest.up;
   model.tilt = rest.tilt;
   turnWeights(model.frame, rest.up);

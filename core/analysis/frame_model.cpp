@@ -53,7 +53,7 @@ class Builder {
     }
     result_.frame.loads.assign(result_.frame.nodes.size(), Six{});
     addWeights();
-    addGround(scene_, result_);
+    addGround(scene_, options_.loads, result_);
     for (const PlacedLoad& load : loads.value()) {
       addLoad(load);
     }

@@ -78,14 +78,15 @@ std::vector<SurfacePoint> surfaceOf(const Scene& scene) {
   return points;
 }
 
-std::vector<Foot> feetOf(const std::vector<SurfacePoint>& surface, Vec3 up) {
+//! \param all Every point that touches; otherwise flat faces give their corners only.
+std::vector<Foot> feetOf(const std::vector<SurfacePoint>& surface, Vec3 up, bool all) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const SurfacePoint& s : surface) {
     lowest = std::min(lowest, lattice::dot(s.point.at, up));
   }
   std::vector<Foot> feet;
   for (const SurfacePoint& s : surface) {
-    const bool flat = std::abs(lattice::dot(s.axis, up)) > kFlat;
+    const bool flat = !all && std::abs(lattice::dot(s.axis, up)) > kFlat;
     if (lattice::dot(s.point.at, up) > lowest + kGroundTolerance || (flat && !s.corner)) {
       continue;
     }
@@ -178,8 +179,8 @@ Rest findRest(const Scene& scene, Vec3 centre) {
     return rest;
   }
   for (int round = 0; round < kMaxRolls; ++round) {
-    rest.feet = feetOf(surface, rest.up);
-    const Vec3 pivot = nearestSupport(hullOf(rest.feet, rest.up), centre, rest.up);
+    const std::vector<Foot> touching = feetOf(surface, rest.up, true);
+    const Vec3 pivot = nearestSupport(hullOf(touching, rest.up), centre, rest.up);
     Vec3 way = centre - pivot;
     way = way - lattice::dot(way, rest.up) * rest.up;
     if (lattice::length(way) < kSame) {
@@ -187,6 +188,7 @@ Rest findRest(const Scene& scene, Vec3 centre) {
     }
     rest.up = roll(surface, pivot, lattice::normalized(way), rest.up);
   }
+  rest.feet = feetOf(surface, rest.up, false);
   rest.tilt = kDegrees * std::acos(std::clamp(rest.up.z, -1.0, 1.0));
   return rest;
 }

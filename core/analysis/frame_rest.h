@@ -25,7 +25,7 @@ inline constexpr double kGroundTolerance = 0.06;
 
 //! \brief Rolls a rigid model over its feet until its centre of mass is above them.
 //! \details Feet are low points of bodies and of heads that are in no hole. A model that stands as
-//! drawn is not turned. \param centre Of mass, world, modules.
+//! drawn is not turned. \param centre Of mass, or of all that presses down; world, modules.
 Rest findRest(const Scene& scene, lattice::Vec3 centre);
 
 }  // namespace liftarm::analysis

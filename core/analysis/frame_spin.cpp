@@ -1,5 +1,6 @@
 #include "analysis/frame_spin.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -24,21 +25,18 @@ bool onOneAxis(const Scene& scene, const Connection& a, const Connection& b) {
          lattice::length(lattice::cross(axis, b.at - a.at)) < model::kCoaxialDistance;
 }
 
+//! Whether all that a part has lies on one axis: it looks the same however it is turned about it.
 bool canIdle(const parts::Part* part) {
-  if (part == nullptr) {
+  if (part == nullptr || part->features.empty()) {
     return false;
   }
-  switch (part->partClass) {
-    case parts::PartClass::kPin:
-    case parts::PartClass::kAxle:
-    case parts::PartClass::kBush:
-    case parts::PartClass::kGear:
-      return true;
-    case parts::PartClass::kBeam:
-    case parts::PartClass::kConnector:
-      return false;
-  }
-  return false;
+  const parts::Feature& first = part->features.front();
+  return std::all_of(
+      part->features.begin(), part->features.end(), [&](const parts::Feature& other) {
+        return std::abs(lattice::dot(first.axis, other.axis)) > model::kCoaxialCosine &&
+               lattice::length(lattice::cross(first.axis, other.center - first.center)) <
+                   model::kCoaxialDistance;
+      });
 }
 
 }  // namespace

@@ -116,9 +116,10 @@ class MotionSorter {
     for (std::size_t body = 0; body < frame_.size(); ++body) {
       frame_[body] = frame_[body] || framed.count(basis_.assemblies()[body]) == 0;
     }
-    for (std::vector<Twist> twists : allTwists(basis_)) {
-      settle(twists);
-      motions_.push_back({-1, std::move(twists)});
+    for (std::size_t m = 0; m < basis_.size(); ++m) {
+      const MotionBasis::Driver driver = basis_.driver(m);
+      motions_.push_back({-1, driver.link, driver.shifts, basis_.twists(m)});
+      settle(motions_.back().twists);
     }
   }
 
@@ -138,7 +139,7 @@ class MotionSorter {
       freedoms.groupOf.push_back(groups[at(body)]);
     }
     for (const FreeMotion& motion : motions_) {
-      FreeMotion ofAll{motion.joint, {}};
+      FreeMotion ofAll{motion.joint, motion.link, motion.shifts, {}};
       for (const int body : merged_.bodyOf) {
         ofAll.twists.push_back(motion.twists[at(body)]);
       }
@@ -171,14 +172,14 @@ class MotionSorter {
     }
   }
 
-  [[nodiscard]] double rate(std::size_t joint, const FreeMotion& motion) const {
+  [[nodiscard]] JointMove move(std::size_t joint, const FreeMotion& motion) const {
     JointLine line = query_.joints[joint];
     if (line.a < 0 || line.b < 0) {
-      return 0.0;
+      return {};
     }
     line.a = merged_.bodyOf[at(line.a)];
     line.b = merged_.bodyOf[at(line.b)];
-    return turningRate(line, motion.twists);
+    return jointMove(line, motion.twists);
   }
 
   //! Gives each joint the motion that turns it most, if one is left, and puts those first.
@@ -187,7 +188,7 @@ class MotionSorter {
       FreeMotion* best = nullptr;
       double most = kStill;
       for (FreeMotion& motion : motions_) {
-        const double speed = std::abs(rate(j, motion));
+        const double speed = std::abs(move(j, motion).rate);
         if (motion.joint < 0 && speed > most * (1.0 + kStill)) {
           best = &motion;
           most = speed;
@@ -235,11 +236,14 @@ class MotionSorter {
     ColumnMatrix rates(query_.joints.size(), motions_.size());
     for (std::size_t j = 0; j < query_.joints.size(); ++j) {
       bool turns = false;
+      bool onAxis = true;
       for (std::size_t m = 0; m < motions_.size(); ++m) {
-        rates.column(m)[j] = rate(j, motions_[m]);
-        turns = turns || std::abs(rates.column(m)[j]) > kStill;
+        const JointMove found = move(j, motions_[m]);
+        rates.column(m)[j] = found.rate;
+        turns = turns || std::abs(found.rate) > kStill;
+        onAxis = onAxis && found.onAxis;
       }
-      freedoms.jointTurns.push_back(turns);
+      freedoms.jointTurns.push_back(turns && onAxis);
     }
     const std::vector<int> noneLater(motions_.size(), 0);
     freedoms.beyondJoints =
@@ -256,8 +260,12 @@ class MotionSorter {
 
 }  // namespace
 
-double turningRate(const JointLine& joint, const std::vector<Twist>& twists) {
-  return lattice::dot(joint.axis, twists[at(joint.b)].angular - twists[at(joint.a)].angular);
+JointMove jointMove(const JointLine& joint, const std::vector<Twist>& twists) {
+  const Twist relative = twists[at(joint.b)] - twists[at(joint.a)];
+  JointMove move;
+  move.rate = lattice::dot(joint.axis, relative.angular);
+  move.onAxis = isSame(relative, move.rate * turning(joint.at, joint.axis));
+  return move;
 }
 
 MergedLinkage mergeAll(const Linkage& linkage) {

@@ -26,6 +26,8 @@ struct FreedomsQuery {
 //! \brief One independent way to move, at the first order.
 struct FreeMotion {
   int joint = -1;             //!< the joint that it turns, or -1
+  int link = -1;              //!< of the merged linkage: the one that drives it
+  bool shifts = false;        //!< it is driven by a shift along that link, not by turning
   std::vector<Twist> twists;  //!< per body; zero where it rests
 };
 
@@ -34,7 +36,7 @@ struct Freedoms {
   int internal = 0;      //!< independent motions of frame bodies against each other
   int spinning = 0;      //!< motions in which no frame body moves: pins, bushes, loose connectors
   int beyondJoints = 0;  //!< of `internal`, those in which no joint turns
-  std::vector<bool> jointTurns;     //!< per joint: some motion turns it
+  std::vector<bool> jointTurns;     //!< per joint: some motion turns it, and none breaks its axis
   std::vector<int> groupOf;         //!< per body: those of one group never move against each other
   std::vector<FreeMotion> motions;  //!< `internal` of them, those of joints first
   MergedLinkage merged;             //!< bodies that are certainly one are one
@@ -48,7 +50,13 @@ Freedoms findFreedoms(const FreedomsQuery& query);
 //! \brief Merges what cannot move, beyond short loops: blocks without a motion, too.
 MergedLinkage mergeAll(const Linkage& linkage);
 
-//! \brief How fast a joint's sides turn against each other in a motion.
-double turningRate(const JointLine& joint, const std::vector<Twist>& twists);
+//! \brief How a joint's side b moves against its side a.
+//! \param twists Per body. \pre The joint has both sides.
+struct JointMove {
+  double rate = 0.0;    //!< turning about the joint's axis
+  bool onAxis = false;  //!< nothing else than that: the points of the axis stay together
+};
+
+JointMove jointMove(const JointLine& joint, const std::vector<Twist>& twists);
 
 }  // namespace liftarm::analysis

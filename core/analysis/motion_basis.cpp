@@ -162,6 +162,10 @@ void MotionBasis::solveBlock(const std::vector<int>& links, const std::vector<in
     }
   }
   const NullBasis basis = findNullBasis(matrix, late);
+  for (const std::size_t column : basis.free) {
+    const Column& free = columns_[global[column]];
+    drivers_.push_back({free.link, free.screw.angular == Vec3{}});
+  }
   for (const std::vector<double>& vector : basis.vectors) {
     rates_.emplace_back(columns_.size(), 0.0);
     for (std::size_t c = 0; c < vector.size(); ++c) {

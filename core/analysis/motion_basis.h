@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "analysis/constraints.h"
@@ -22,6 +23,15 @@ class MotionBasis {
 
   //! \brief The twist of each body in a motion; the first body of each assembly is at rest.
   [[nodiscard]] std::vector<Twist> twists(std::size_t motion) const;
+
+  //! \brief The link whose rate is one in this motion and zero in the others, and whether that is a
+  //! shift. Locking it takes this motion away and no other.
+  struct Driver {
+    int link = -1;
+    bool shifts = false;
+  };
+
+  [[nodiscard]] Driver driver(std::size_t motion) const { return drivers_[motion]; }
 
   //! \brief The assembly of each body: bodies that links connect. By first member from 0.
   [[nodiscard]] const std::vector<int>& assemblies() const { return assemblies_; }
@@ -55,6 +65,7 @@ class MotionBasis {
   std::vector<bool> inTree_;  // per link
   std::vector<int> assemblies_;
   std::vector<std::vector<double>> rates_;  // per motion and column
+  std::vector<Driver> drivers_;
   std::vector<std::pair<int, int>> locked_;
 };
 

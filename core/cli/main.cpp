@@ -10,6 +10,8 @@ namespace {
 
 using liftarm::cli::ExitCode;
 
+constexpr int kMostSeeds = 10000;
+constexpr int kMostThreads = 256;
 constexpr const char* kAbout =
     "Liftarm turns a 3D line sketch into a Technic model that can be built.\n"
     "Exit codes: 0 buildable, 1 input refused (one line on standard error), 2 not buildable.\n"
@@ -25,6 +27,12 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
       ->capture_default_str();
   solve->add_flag("--no-files", options.quiet, "Print the report only");
   solve->add_option("--seed", options.seed, "Seed of the search, a whole number")->type_name("N");
+  solve->add_option("--seeds", options.seeds, "How many seeds to try, from --seed on; best is kept")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostSeeds));
+  solve->add_option("--threads", options.threads, "Searches at the same time; changes no result")
+      ->type_name("M")
+      ->check(CLI::Range(1, kMostThreads));
   solve->add_option("--preset", options.preset, "faithful, simple, faithful-rigid or simple-rigid")
       ->type_name("NAME");
   solve
@@ -58,6 +66,13 @@ int main(int argc, char** argv) {
   check->add_option("MODEL", modelPath, "Model file (NAME.model.json)")->required();
   check->add_flag("--json", checkJson, "Print the answer as one JSON object");
 
+  std::string sketchPath;
+  bool symmetriesJson = false;
+  CLI::App* symmetries = app.add_subcommand(
+      "symmetries", "Print the symmetries that a sketch has but does not name, in its own format");
+  symmetries->add_option("SKETCH", sketchPath, "Sketch file (JSON)")->required();
+  symmetries->add_flag("--json", symmetriesJson, "Print the answer as one JSON object");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -65,6 +80,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return static_cast<int>(
         liftarm::cli::refuse(std::string(error.what()) + "; liftarm --help tells all"));
+  }
+  if (symmetries->parsed()) {
+    return static_cast<int>(liftarm::cli::symmetriesCommand(sketchPath, symmetriesJson));
   }
   return static_cast<int>(check->parsed() ? liftarm::cli::checkCommand(modelPath, checkJson)
                                           : liftarm::cli::solveCommand(options));

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "cli/stress_text.h"
+
 namespace liftarm::cli {
 
 namespace {
@@ -68,13 +70,32 @@ std::string reportText(const ordered_json& report) {
   if (report.contains("seconds")) {
     text += "  seconds: " + report.at("seconds").at("total").dump() + "\n";
   }
+  if (report.contains("seeds")) {
+    for (const ordered_json& tried : report.at("seeds")) {
+      text += "  seed " + tried.at("seed").dump() + ": " + tried.at("beams").dump() + " beams, " +
+              tried.at("bricks").dump() + " bricks" +
+              (tried.value("buildable", false) ? "\n" : ", not buildable\n");
+    }
+  }
   if (report.contains("items")) {
     text += itemsText(report.at("items"));
+  }
+  if (report.contains("stress")) {
+    text += stressText(report.at("stress"));
   }
   if (report.contains("problems") && !report.at("problems").empty()) {
     text += "problems:\n" + problemsText(report.at("problems"));
   }
   return text;
+}
+
+std::string symmetriesText(const ordered_json& found) {
+  std::string text;
+  for (const ordered_json& symmetry : found.at("symmetries")) {
+    const bool known = symmetry.value("kind", "") != "rotation";
+    text += symmetry.dump() + (known ? "\n" : "  (for information)\n");
+  }
+  return text.empty() ? "no symmetries that the sketch does not name\n" : text;
 }
 
 }  // namespace liftarm::cli

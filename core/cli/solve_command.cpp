@@ -1,16 +1,18 @@
 #include "cli/solve_command.h"
 
-#include <chrono>
-#include <cmath>
+#include <charconv>
 #include <cstdio>
-#include <memory>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/files.h"
 #include "cli/report_text.h"
+#include "cli/solve_seeds.h"
+#include "cli/stress_text.h"
 #include "design/design_session.h"
+#include "design/symmetries.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::cli {
@@ -18,20 +20,9 @@ namespace liftarm::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using Clock = std::chrono::steady_clock;
-
-constexpr std::uint32_t kSlice = 20000;  // iterations in one call
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double milliseconds(double seconds) {
-  return std::round(seconds * 1000.0) / 1000.0;
-}
 
 //! The settings of design_session.h, or the option at fault.
-base::Result<std::string> settingsText(const SolveOptions& options) {
+base::Result<ordered_json> settingsOf(const SolveOptions& options) {
   ordered_json settings = ordered_json::object();
   const auto put = [&](const char* key, const std::string& value) {
     if (!value.empty()) {
@@ -48,16 +39,24 @@ base::Result<std::string> settingsText(const SolveOptions& options) {
     }
     settings["set"][setting.substr(0, equals)] = setting.substr(equals + 1);
   }
-  return settings.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return settings;
 }
 
-//! The report with the times of DESIGN 4.
-ordered_json reportOf(const design::DesignSession& session, double stageOne, double stageTwo) {
-  ordered_json report = ordered_json::parse(session.reportJson(), nullptr, false);
-  report["seconds"] = {{"stageOne", milliseconds(stageOne)},
-                       {"stageTwo", milliseconds(stageTwo)},
-                       {"total", milliseconds(stageOne + stageTwo)}};
-  return report;
+//! One search, or the best of several. A seed that is no number is left to the settings' reader to
+//! refuse.
+base::Result<Solution> solve(const std::string& sketch,
+                             const ordered_json& settings,
+                             const SolveOptions& options) {
+  if (options.seeds <= 1) {
+    return solveOnce(sketch, settings);
+  }
+  std::uint64_t first = 1;
+  const char* const end = options.seed.data() + options.seed.size();
+  const auto [stop, error] = std::from_chars(options.seed.data(), end, first);
+  if (!options.seed.empty() && (error != std::errc{} || stop != end)) {
+    return solveOnce(sketch, settings);
+  }
+  return solveSeeds(sketch, settings, first, options.seeds, options.threads);
 }
 
 base::Result<std::string> writeResults(const SolveOptions& options, const std::string& modelJson) {
@@ -106,7 +105,7 @@ ExitCode refuse(const std::string& message) {
 }
 
 ExitCode solveCommand(const SolveOptions& options) {
-  const base::Result<std::string> settings = settingsText(options);
+  const base::Result<ordered_json> settings = settingsOf(options);
   if (!settings.ok()) {
     return refuse(settings.error().message);
   }
@@ -114,28 +113,18 @@ ExitCode solveCommand(const SolveOptions& options) {
   if (!sketch.ok()) {
     return refuse(sketch.error().message);
   }
-  const Clock::time_point start = Clock::now();
-  base::Result<std::unique_ptr<design::DesignSession>> created =
-      design::DesignSession::create(sketch.value(), settings.value());
-  if (!created.ok()) {
-    return refuse(options.sketchPath + ": " + created.error().message);
+  base::Result<Solution> solved = solve(sketch.value(), settings.value(), options);
+  if (!solved.ok()) {
+    return refuse(options.sketchPath + ": " + solved.error().message);
   }
-  const std::unique_ptr<design::DesignSession> session = std::move(created).value();
-  // The session prepares its search in its first step.
-  bool done = session->advance(1);
-  const double stageOne = secondsSince(start);
-  const Clock::time_point search = Clock::now();
-  while (!done) {
-    done = session->advance(kSlice);
-  }
-  const double stageTwo = secondsSince(search);
+  Solution solution = std::move(solved).value();
   if (!options.quiet) {
-    const base::Result<std::string> written = writeResults(options, session->modelJson());
+    const base::Result<std::string> written = writeResults(options, solution.modelJson);
     if (!written.ok()) {
       return refuse(written.error().message);
     }
   }
-  return printReport(reportOf(*session, stageOne, stageTwo), options.sketchPath, options.json);
+  return printReport(std::move(solution.report), options.sketchPath, options.json);
 }
 
 ExitCode checkCommand(const std::string& modelPath, bool json) {
@@ -148,7 +137,23 @@ ExitCode checkCommand(const std::string& modelPath, bool json) {
   if (!checked.ok()) {
     return refuse(modelPath + ": " + checked.error().message);
   }
-  return printReport(ordered_json::parse(checked.value(), nullptr, false), modelPath, json);
+  ordered_json report = ordered_json::parse(checked.value(), nullptr, false);
+  report["stress"] = stressSummary(model.value());
+  return printReport(std::move(report), modelPath, json);
+}
+
+ExitCode symmetriesCommand(const std::string& sketchPath, bool json) {
+  const base::Result<std::string> sketch = readFile(sketchPath, sketch::kMaxSketchBytes);
+  if (!sketch.ok()) {
+    return refuse(sketch.error().message);
+  }
+  const base::Result<std::string> found = design::findSymmetriesJson(sketch.value());
+  if (!found.ok()) {
+    return refuse(sketchPath + ": " + found.error().message);
+  }
+  print(json ? found.value() + "\n"
+             : symmetriesText(ordered_json::parse(found.value(), nullptr, false)));
+  return ExitCode::kBuildable;
 }
 
 }  // namespace liftarm::cli

@@ -17,6 +17,8 @@ struct SolveOptions {
   std::string preset;
   std::string method;
   std::vector<std::string> settings;  //!< "key=value"
+  int seeds = 1;                      //!< how many are tried, from `seed` on
+  int threads = 1;
   bool json = false;
   bool quiet = false;  //!< no files
 };
@@ -27,6 +29,9 @@ ExitCode solveCommand(const SolveOptions& options);
 
 //! \brief Checks a model file and prints the answer.
 ExitCode checkCommand(const std::string& modelPath, bool json);
+
+//! \brief Prints the symmetries that a sketch has but does not name, in its own format.
+ExitCode symmetriesCommand(const std::string& sketchPath, bool json);
 
 //! \brief Prints one line on standard error. \return kRefused, so that a caller can return it.
 ExitCode refuse(const std::string& message);

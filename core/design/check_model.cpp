@@ -2,6 +2,7 @@
 
 #include "analysis/check.h"
 #include "design/design_session.h"
+#include "design/motion_json.h"
 #include "model/model_json.h"
 #include "model/number_text.h"
 
@@ -39,6 +40,7 @@ ordered_json reportJson(const std::string& name, const analysis::CheckReport& re
     problems.push_back(problemJson(problem));
   }
   const analysis::CheckCounts& counts = report.counts;
+  const ordered_json motion = motionJson(report.motion);
   return {{"name", name},
           {"buildable", report.buildable},
           {"beams", counts.beams},
@@ -48,6 +50,9 @@ ordered_json reportJson(const std::string& name, const analysis::CheckReport& re
           {"uncovered", counts.uncovered},
           {"failedConnections", counts.failedConnections},
           {"assemblable", report.assemblable},
+          {"freedoms", motion.at("freedoms")},
+          {"joints", motion.at("joints")},
+          {"balance", motion.at("balance")},
           {"mass", rounded(counts.mass)},
           {"size", pointJson(counts.size)},
           {"items", items},

@@ -65,6 +65,27 @@ base::Result<std::string> planAssemblyJson(std::string_view modelJson);
 base::Result<std::string> analyseStressJson(std::string_view modelJson,
                                             std::string_view optionsJson);
 
+//! \brief How a model stands and moves at the first order.
+//! \return {"freedoms": {"free", "held": internal freedoms with pins of friction free and holding,
+//! "expected": annotated joints, "beyondJoints", "heldBeyondJoints": freedoms in which no joint
+//! turns, "spinning": motions of pins and the like alone}, "groups": [rigid group of each part],
+//! "motions":
+//! [{"joint": index or null, "parts": [..], "velocities": [[vx,vy,vz, wx,wy,wz] about the world's
+//! origin, per listed part]}], "joints": [{"index", "turns", "from", "to": degrees,
+//! "stoppedBy": {"from": [two parts] or [], "to"}, "message"}], "balance": {"stable", "centre":
+//! [x,y,z], "polygon":
+//! [[x,y]], "ground": z, "margin": modules, "tippingAngle": degrees, "direction": [x,y]} or null,
+//! "braces"}.
+base::Result<std::string> analyseMotionJson(std::string_view modelJson);
+
+//! \brief Turns an annotated joint through its range.
+//! \return {"index", "turns", "message", "parts": [those that move], "angles": [degrees, rising, 0
+//! among them], "poses": [per angle: [per listed part: x,y,z in modules, quaternion x,y,z,w]]}.
+base::Result<std::string> jointMotionJson(std::string_view modelJson, int joint);
+
+//! \brief The same for one of the "motions" of analyseMotionJson.
+base::Result<std::string> freeMotionJson(std::string_view modelJson, int motion);
+
 //! \brief A model in another format. \param format "mpd", "parts.csv" (Rebrickable), "wanted.xml"
 //! (BrickLink), "spreadsheet.csv", or "assembly.json" (planAssemblyJson).
 //! Also "inp" (CalculiX) and "apdl" (ANSYS): the frame of stress_deck.h.

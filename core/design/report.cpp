@@ -122,9 +122,10 @@ std::string makeReport(const ReportInput& input) {
       {"deviation", rounded(objective::deviation(measures))},
       {"layerRange", measures.componentRange},
       {"rigidSubsets", measures.rigidSubsets},
-      // Not judged yet: null, never a guess.
-      {"freedoms", nullptr},
-      {"balanced", nullptr},
+      {"freedoms", check.motion.free.internal},
+      {"freedomsHeld", check.motion.held.internal},
+      {"freedomsBeyondJoints", check.motion.free.beyondJoints},
+      {"balanced", check.motion.balance.has_value() && check.motion.balance->stable},
       {"assemblable", check.assemblable},
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},

@@ -1,22 +1,29 @@
 #include "exporters/ldraw.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
+#include "instructions/sequence.h"
 #include "model/number_text.h"
 
 namespace liftarm::exporters {
 
 namespace {
 
+using instructions::Add;
+using instructions::Group;
+using instructions::Sequence;
+using instructions::Step;
 using lattice::Mat3;
+using lattice::Pose;
 using lattice::Vec3;
 using model::numberText;
 
 constexpr double kLduPerModule = 20.0;
+constexpr int kOwnColour = 16;  // LDraw: that of whoever refers to it
+// Deeper subassemblies are written into the one that they go into.
+constexpr int kMaxDepth = 6;
 
 //! Z up to -Y up.
 const Mat3 kToLdraw{{1, 0, 0, 0, 0, -1, 0, 1, 0}};
@@ -33,57 +40,156 @@ std::string oneLine(const std::string& text, const std::string& otherwise) {
   return first == std::string::npos ? otherwise : result.substr(first);
 }
 
-std::string partLine(const model::PlacedPart& part) {
-  const Vec3 at = kToLdraw * part.pose.position;
-  const Mat3 turned = kToLdraw * part.pose.rotation * lattice::transposed(kToLdraw);
-  std::string line = "1 " + std::to_string(part.color);
+std::string placeLine(int color, const Pose& pose, const std::string& file) {
+  const Vec3 at = kToLdraw * pose.position;
+  const Mat3 turned = kToLdraw * pose.rotation * lattice::transposed(kToLdraw);
+  std::string line = "1 " + std::to_string(color);
   for (int i = 0; i < 3; ++i) {
     line += " " + numberText(kLduPerModule * at[i]);
   }
   for (const double value : turned.m) {
     line += " " + numberText(value);
   }
-  return line + " " + part.part + ".dat\n";
+  return line + " " + file + "\n";
 }
 
-//! Height of the part's underside, modules, rounded to half modules so that one floor makes one
-//! step.
-double heightOf(const model::PlacedPart& placed, const parts::Catalogue& catalogue) {
-  const parts::Part* part = catalogue.find(placed.part);
-  if (part == nullptr) {
-    return placed.pose.position.z;
+//! Writes the whole and each subassembly as a file of the document.
+class Document {
+ public:
+  Document(const model::Model& model, const Sequence& sequence)
+      : model_(model),
+        sequence_(sequence),
+        name_(oneLine(model.name, "Model")),
+        stepsOf_(sequence.groups.size()) {
+    for (const Step& step : sequence.steps) {
+      stepsOf_[static_cast<std::size_t>(step.group)].push_back(&step);
+    }
   }
-  const Vec3 middle = placed.pose.apply(0.5 * (part->boundsMin + part->boundsMax));
-  const Vec3 half = 0.5 * (part->boundsMax - part->boundsMin);
-  double reach = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    reach += std::abs(placed.pose.rotation.m[6 + static_cast<std::size_t>(i)]) * half[i];
+
+  std::string write() {
+    std::string text = header(name_) + stepsText(0, {}, 0);
+    text += missingParts() + "0 NOFILE\n";
+    return text + submodels_;
   }
-  return std::floor(2.0 * (middle.z - reach) + 0.5) / 2.0;
-}
+
+ private:
+  static std::string header(const std::string& name) {
+    return "0 FILE " + name + ".ldr\n0 " + name + "\n0 Name: " + name + ".ldr\n0 BFC CERTIFY CCW\n";
+  }
+
+  [[nodiscard]] const model::PlacedPart& part(int index) const {
+    return model_.parts[static_cast<std::size_t>(index)];
+  }
+
+  [[nodiscard]] std::string partLine(int index, Vec3 origin) const {
+    Pose pose = part(index).pose;
+    pose.position = pose.position - origin;
+    return placeLine(part(index).color, pose, part(index).part + ".dat");
+  }
+
+  //! All steps of a group about an origin. `depth`: how deep its submodels are nested.
+  std::string stepsText(std::size_t g, Vec3 origin, int depth) {
+    std::string text;
+    for (const Step* step : stepsOf_[g]) {
+      for (const Add& add : step->adds) {
+        text += add.subgroup >= 0 && depth < kMaxDepth ? referenceText(add, origin, depth)
+                                                       : partLines(add.parts, origin);
+      }
+      text += "0 STEP\n";
+    }
+    return text;
+  }
+
+  [[nodiscard]] std::string partLines(const std::vector<int>& parts, Vec3 origin) const {
+    std::string text;
+    for (const int index : parts) {
+      text += partLine(index, origin);
+    }
+    return text;
+  }
+
+  //! A line that puts a submodel in its place; the submodel itself is written when it is new.
+  std::string referenceText(const Add& add, Vec3 origin, int depth) {
+    const auto g = static_cast<std::size_t>(add.subgroup);
+    const Group& group = sequence_.groups[g];
+    const Vec3 own = part(group.parts.front()).pose.position;
+    for (std::size_t c = 0; c < group.copies.size(); ++c) {
+      std::vector<int> sorted = group.copies[c];
+      std::sort(sorted.begin(), sorted.end());
+      if (sorted != add.parts) {
+        continue;
+      }
+      if (group.mirrored[c] || !sameColours(group.parts, group.copies[c])) {
+        return writtenOut(add, origin);
+      }
+      return placeLine(kOwnColour,
+                       {group.poses[c].apply(own) - origin, group.poses[c].rotation},
+                       submodel(g, own, depth));
+    }
+    return placeLine(kOwnColour, {own - origin, Mat3()}, submodel(g, own, depth));
+  }
+
+  //! A copy that cannot refer to the first: its parts in one step of a submodel of its own.
+  std::string writtenOut(const Add& add, Vec3 origin) {
+    const Vec3 own = part(add.parts.front()).pose.position;
+    const std::string name = nextName();
+    submodels_ += header(name) + partLines(add.parts, own) + "0 STEP\n0 NOFILE\n";
+    return placeLine(kOwnColour, {own - origin, Mat3()}, name + ".ldr");
+  }
+
+  //! The file of a group, which is written at its first use.
+  std::string submodel(std::size_t g, Vec3 origin, int depth) {
+    if (names_.size() < sequence_.groups.size()) {
+      names_.resize(sequence_.groups.size());
+    }
+    if (names_[g].empty()) {
+      names_[g] = nextName();
+      const std::string text = header(names_[g]) + stepsText(g, origin, depth + 1) + "0 NOFILE\n";
+      submodels_ += text;
+    }
+    return names_[g] + ".ldr";
+  }
+
+  std::string nextName() { return name_ + " - " + std::to_string(++submodelCount_); }
+
+  [[nodiscard]] bool sameColours(const std::vector<int>& a, const std::vector<int>& b) const {
+    return std::equal(a.begin(), a.end(), b.begin(), [&](int x, int y) {
+      return part(x).color == part(y).color;
+    });
+  }
+
+  //! Parts that the catalogue does not have are in no step.
+  [[nodiscard]] std::string missingParts() const {
+    std::vector<char> told(model_.parts.size(), 0);
+    for (const int index : sequence_.groups.front().parts) {
+      told[static_cast<std::size_t>(index)] = 1;
+    }
+    std::string text;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+      text += told[i] == 0 ? partLine(static_cast<int>(i), {}) : "";
+    }
+    return text.empty() ? text : text + "0 STEP\n";
+  }
+
+  const model::Model& model_;
+  const Sequence& sequence_;
+  std::string name_;
+  std::vector<std::vector<const Step*>> stepsOf_;
+  std::vector<std::string> names_;
+  std::string submodels_;
+  int submodelCount_ = 0;
+};
 
 }  // namespace
 
 std::string writeLdraw(const model::Model& model, const parts::Catalogue& catalogue) {
-  const std::string name = oneLine(model.name, "Model");
-  std::string text =
-      "0 FILE " + name + ".ldr\n0 " + name + "\n0 Name: " + name + ".ldr\n0 BFC CERTIFY CCW\n";
-  std::vector<double> heights;
-  for (const model::PlacedPart& part : model.parts) {
-    heights.push_back(heightOf(part, catalogue));
+  Sequence sequence;
+  if (model.parts.size() <= analysis::kMaxPartsTakenApart) {
+    sequence = instructions::planSequence(analysis::makeScene(model, catalogue));
+  } else {
+    sequence.groups.emplace_back();
   }
-  std::vector<std::size_t> order(model.parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return heights[a] < heights[b];
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i > 0 && heights[order[i]] > heights[order[i - 1]]) {
-      text += "0 STEP\n";
-    }
-    text += partLine(model.parts[order[i]]);
-  }
-  return text + "0 STEP\n0 NOFILE\n";
+  return Document(model, sequence).write();
 }
 
 }  // namespace liftarm::exporters

@@ -21,15 +21,17 @@ struct Add {
 struct Step {
   int group = 0;
   std::vector<Add> adds;
-  bool stable = false;  //!< what is built of the group by then stands on the table by itself
+  bool stable =
+      false;  //!< what is built of the group by then stands or lies on the table by itself
 };
 
 //! \brief Parts that are built apart, once for each copy.
 struct Group {
   std::vector<int> parts;  //!< all of them, those of its subgroups included
   std::vector<std::vector<int>>
-      copies;                  //!< the parts of each further copy, in the order of `parts`
-  std::vector<bool> mirrored;  //!< for each copy: built as the mirror image
+      copies;                        //!< the parts of each further copy, in the order of `parts`
+  std::vector<bool> mirrored;        //!< for each copy: built as the mirror image
+  std::vector<lattice::Pose> poses;  //!< for each copy that is not: takes the group to it
 };
 
 //! \brief How a model is built. Group 0 is the whole; the steps of a group come before the step

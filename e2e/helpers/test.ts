@@ -3,9 +3,18 @@ import { test as base, expect, type Page } from '@playwright/test';
 /** Software rendering waits for its pixels and says so; that is no fault of the page. */
 const HARMLESS = /GPU stall due to ReadPixels/;
 
+interface Options {
+  /** Whether pictures are really drawn: without a graphics card that takes most of the time. */
+  draws: boolean;
+}
+
 /** A test whose page must say nothing on the console that is an error, and throw nothing. */
-export const test = base.extend({
-  page: async ({ page }, use) => {
+export const test = base.extend<Options>({
+  draws: [true, { option: true }],
+  page: async ({ page, draws }, use) => {
+    if (!draws) {
+      await page.addInitScript(withoutDrawing);
+    }
     const errors: string[] = [];
     page.on('console', (message) => {
       if (message.type() === 'error' && !HARMLESS.test(message.text())) {
@@ -19,6 +28,17 @@ export const test = base.extend({
     expect(errors).toEqual([]);
   },
 });
+
+/** Runs in the page: everything works as ever, only that no pixel is touched. */
+function withoutDrawing(): void {
+  const gl = WebGL2RenderingContext.prototype;
+  const nothing = () => undefined;
+  gl.drawArrays = nothing;
+  gl.drawElements = nothing;
+  gl.drawArraysInstanced = nothing;
+  gl.drawElementsInstanced = nothing;
+  gl.clear = nothing;
+}
 
 /** Opens the page and waits until it can be used. */
 export async function openPage(page: Page, address = '/'): Promise<void> {

@@ -6,6 +6,7 @@
 #include "analysis/check.h"
 #include "core/helpers/layouts.h"
 #include "design/model_builder.h"
+#include "search/annealer.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::design {

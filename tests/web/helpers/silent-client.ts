@@ -33,6 +33,7 @@ export function silentClient(): TestClient {
       }),
     check: async () => client.checkReply,
     exportModel: async () => ({ outcome: 'ok', text: '' }),
+    ask: async () => ({ outcome: 'ok', text: '{"ok":false,"message":"","moving":[]}' }),
     warmUp: () => undefined,
     dispose: () => undefined,
   };

@@ -4,6 +4,12 @@ import type { ToolId } from '../tools/tool.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
 
+export interface CameraMove {
+  readonly factor: number;
+  readonly right: number;
+  readonly up: number;
+}
+
 /** Opening, saving and sharing. */
 export interface FileActions {
   chooseFile(): void;
@@ -34,6 +40,8 @@ export interface Actions {
   /** Cuts the model open in its middle; null closes it. */
   cutAlong(axis: AxisName | null): void;
   setView(view: StandardView): void;
+  /** Nearer (factor below 1) or farther; turned to the right and upwards by radians. */
+  moveCamera(move: CameraMove): void;
   announce(message: string): void;
   /** @param id null goes back to the drawing. */
   openRoom(id: string | null): void;

@@ -19,7 +19,7 @@ import type { Example, LayoutSnapshot } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
-import type { Actions } from './actions.ts';
+import type { Actions, CameraMove } from './actions.ts';
 import { PageFiles } from './page-files.ts';
 import { PageState } from './page-state.ts';
 import { SceneBridge } from './scene-bridge.ts';
@@ -257,6 +257,16 @@ export class PageController implements Actions {
     const box = axis && shown.value ? modelBounds(shown.value.model, catalogue) : null;
     const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
     section.value = axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
+  };
+
+  readonly moveCamera = ({ factor, right, up }: CameraMove): void => {
+    const { view } = this.scene;
+    if (factor !== 1) {
+      view?.zoom(factor);
+    }
+    if (right !== 0 || up !== 0) {
+      view?.turn(right, up);
+    }
   };
 
   readonly setView = (view: StandardView): void => {

@@ -155,13 +155,12 @@ export class PageFiles {
 
   /** Puts the sketch into the address. @returns the refusal, or null. */
   async updateAddress(): Promise<string | null> {
-    const { preset, seed } = this.#context.state.preferences.value;
     const sketch = this.#context.state.store.sketch.value;
     if (sketch.lines.length === 0) {
       history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
       return null;
     }
-    const fragment = await encodeShare({ sketch, preset, seed });
+    const fragment = await encodeShare(sharedState(sketch, this.#context.state.preferences.value));
     if (!fragment.ok) {
       history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
       return fragment.message;

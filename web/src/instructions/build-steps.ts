@@ -1,6 +1,7 @@
 import { countParts, type PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
-import type { Addition, AssemblyGroup, AssemblyPlan } from './assembly-plan.ts';
+import { dot, length, normalize } from '../model/vec.ts';
+import type { Addition, AssemblyGroup, AssemblyPlan, AssemblyStep } from './assembly-plan.ts';
 
 /** One page of the instructions. */
 export interface BuildStep {
@@ -25,16 +26,50 @@ export function timesOf(group: AssemblyGroup): number {
   return 1 + group.copies.length;
 }
 
+/** No page asks for more than this at once. */
+const MAX_ADDITIONS = 3;
+
+/**
+ * Joins neighbouring steps of one group into pages of a few parts: single parts that come from one side,
+ * or the first part with what is put on it. The order of the plan stays.
+ */
+export function joinSteps(steps: readonly AssemblyStep[]): AssemblyStep[] {
+  const joined: AssemblyStep[] = [];
+  for (const step of steps) {
+    const last = joined.at(-1);
+    if (last && fitTogether(last, step)) {
+      joined[joined.length - 1] = { ...step, adds: [...last.adds, ...step.adds] };
+    } else {
+      joined.push(step);
+    }
+  }
+  return joined;
+}
+
+function fitTogether(a: AssemblyStep, b: AssemblyStep): boolean {
+  const adds = [...a.adds, ...b.adds];
+  const plain = adds.every(
+    (add) => add.subgroup === null && !add.forced && add.via.length === 0 && add.parts.length === 1,
+  );
+  const moving = adds.filter((add) => length(add.travel) > 1e-6).map((add) => add.travel);
+  const first = moving[0];
+  const oneSide = moving.every(
+    (travel) => first && dot(normalize(travel), normalize(first)) > 0.99,
+  );
+  return a.group === b.group && adds.length <= MAX_ADDITIONS && plain && oneSide;
+}
+
 /** The steps of a plan with what each needs to be drawn. */
 export function buildSteps(plan: AssemblyPlan, model: Model): BuildStep[] {
   const groups = new Map(plan.groups.map((group) => [group.id, group]));
   const held = new Map<number, number[]>();
   const done = new Map<number, number>();
   const totals = new Map<number, number>();
-  for (const { group } of plan.steps) {
+  const steps = joinSteps(plan.steps);
+  for (const { group } of steps) {
     totals.set(group, (totals.get(group) ?? 0) + 1);
   }
-  return plan.steps.map((step, i) => {
+  return steps.map((step, i) => {
     const before = held.get(step.group) ?? [];
     const added = step.adds.flatMap((add) => add.parts);
     const loose = step.adds.filter((add) => add.subgroup === null).flatMap((add) => add.parts);

@@ -2,6 +2,7 @@ import { assertNever } from '../base/assert-never.ts';
 import type {
   ExportFormat,
   FromWorker,
+  Question,
   SolveProgress,
   SolveSeconds,
   SolveSettings,
@@ -39,6 +40,8 @@ export interface SolverClient {
   /** Every check on a model file; `text` is the check report as JSON. */
   check(modelJson: string): Promise<TextResult>;
   exportModel(modelJson: string, format: ExportFormat): Promise<TextResult>;
+  /** A further question about a model file; `text` is the answer as JSON. */
+  ask(question: Question): Promise<TextResult>;
   /** Loads the module before it is needed. */
   warmUp(): void;
   /** Stops the worker; what was open settles: solves as `cancelled`, the rest with a SolverError. */
@@ -145,6 +148,10 @@ class WorkerClient implements SolverClient {
     return this.#ask({ kind: 'export', jobId: this.#nextJobId(), modelJson, format });
   }
 
+  ask(question: Question): Promise<TextResult> {
+    return this.#ask({ kind: 'ask', jobId: this.#nextJobId(), question });
+  }
+
   warmUp(): void {
     this.#ensureWorker();
   }
@@ -156,7 +163,7 @@ class WorkerClient implements SolverClient {
     }
   }
 
-  #ask(request: Extract<ToWorker, { kind: 'check' | 'export' }>): Promise<TextResult> {
+  #ask(request: Extract<ToWorker, { kind: 'check' | 'export' | 'ask' }>): Promise<TextResult> {
     return new Promise((resolve, reject) => {
       const finish = (settle: () => void) => {
         this.#jobs.delete(request.jobId);
@@ -269,6 +276,7 @@ function settleSolve(reply: Ending, lastModel: string | null, settle: Settle<Sol
       return;
     case 'checked':
     case 'exported':
+    case 'answered':
     case 'failed':
       settle.reject(new SolverError(`a solve cannot end with '${reply.kind}'`));
       return;
@@ -283,6 +291,7 @@ function settleText(reply: FromWorker, settle: Settle<TextResult>): void {
       settle.resolve({ outcome: 'ok', text: reply.checkJson });
       return;
     case 'exported':
+    case 'answered':
       settle.resolve({ outcome: 'ok', text: reply.text });
       return;
     case 'refused':

@@ -47,6 +47,15 @@ export type ExportFormat =
   | 'inp'
   | 'apdl';
 
+/** What can be asked of a model file; answers are JSON texts, see core/design/design_session.h. */
+export interface StressQuestion {
+  readonly about: 'stress';
+  readonly modelJson: string;
+  readonly optionsJson: string;
+}
+
+export type Question = StressQuestion;
+
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */
   | {
@@ -65,7 +74,9 @@ export type ToWorker =
       readonly jobId: number;
       readonly modelJson: string;
       readonly format: ExportFormat;
-    };
+    }
+  /** Replies: `answered`, `refused` or `failed`. */
+  | { readonly kind: 'ask'; readonly jobId: number; readonly question: Question };
 
 export type FromWorker =
   /** `modelJson` is null when the best model is the one of an earlier message. */
@@ -88,6 +99,7 @@ export type FromWorker =
   | { readonly kind: 'cancelled'; readonly jobId: number }
   | { readonly kind: 'checked'; readonly jobId: number; readonly checkJson: string }
   | { readonly kind: 'exported'; readonly jobId: number; readonly text: string }
+  | { readonly kind: 'answered'; readonly jobId: number; readonly text: string }
   /** A bug or no memory. The module's state is unknown: discard the worker. */
   | { readonly kind: 'failed'; readonly jobId: number; readonly message: string };
 

@@ -40,6 +40,12 @@ export interface SolverModule {
   planAssemblyJson(modelJson: string): SolverReply;
   /** Stress under weight and loads; options and answer as in core/design/design_session.h. */
   analyseStressJson(modelJson: string, optionsJson: string): SolverReply;
+  /** How a model stands and moves; keys as in core/design/design_session.h. */
+  analyseMotionJson(modelJson: string): SolverReply;
+  /** An annotated joint turned through its range. */
+  jointMotionJson(modelJson: string, joint: number): SolverReply;
+  /** One of the motions of analyseMotionJson, as far as it goes. */
+  freeMotionJson(modelJson: string, motion: number): SolverReply;
   exportModel(modelJson: string, format: string): SolverReply;
   contractJson(): string;
 }

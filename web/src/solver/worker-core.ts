@@ -1,6 +1,6 @@
 import { assertNever } from '../base/assert-never.ts';
-import type { FromWorker, SolveProgress, SolveSettings, ToWorker } from './protocol.ts';
-import type { SolverModule, SolverSession } from './solver-module.ts';
+import type { FromWorker, Question, SolveProgress, SolveSettings, ToWorker } from './protocol.ts';
+import type { SolverModule, SolverReply, SolverSession } from './solver-module.ts';
 
 /**
  * The worker's logic without a worker: plain functions over the module and a host, so that tests drive it
@@ -58,6 +58,8 @@ export function createWorkerCore(loading: Promise<SolverModule>, host: WorkerHos
           jobId,
           text: textOf(module.exportModel(request.modelJson, request.format)),
         };
+      case 'ask':
+        return { kind: 'answered', jobId, text: textOf(answerTo(module, request.question)) };
       default:
         return assertNever(request);
     }
@@ -88,6 +90,10 @@ export function createWorkerCore(loading: Promise<SolverModule>, host: WorkerHos
     }
   };
   return { handle };
+}
+
+function answerTo(module: SolverModule, question: Question): SolverReply {
+  return module.analyseStressJson(question.modelJson, question.optionsJson);
 }
 
 function textOf({ status, text }: { readonly status: string; readonly text: string }): string {

@@ -1,10 +1,18 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { lineVector, pointKey, type SketchDocument, type SketchJoint } from '../model/sketch.ts';
+import {
+  lineVector,
+  pointKey,
+  type SketchDocument,
+  type SketchJoint,
+  sketchNodes,
+} from '../model/sketch.ts';
 import { cross, length, normalize, type Vec3 } from '../model/vec.ts';
 import { addJoint, removeJoint, splitAt } from '../state/edits.ts';
 import type { Navigation, NodePick } from '../view/view-types.ts';
+import { describePoint } from './point-tool.ts';
 import {
   EMPTY_OVERLAY,
+  type KeyInput,
   type PointerInput,
   type Tool,
   type ToolContext,
@@ -14,6 +22,17 @@ import {
 
 const NODE_PIXELS = 14;
 const DRAG_PIXELS = 6;
+
+/** What these tools need to know of a node. */
+type ToolNode = Pick<NodePick, 'at' | 'lines'>;
+
+/** Which way an arrow key goes through the nodes. */
+const STEPS: Readonly<Record<string, number>> = {
+  ArrowRight: 1,
+  ArrowUp: 1,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+};
 
 /** A tool that does one thing to the node that is clicked. */
 abstract class NodeTool implements Tool {
@@ -28,15 +47,19 @@ abstract class NodeTool implements Tool {
     this.context = context;
   }
 
-  protected abstract apply(node: NodePick): void;
+  protected abstract apply(node: ToolNode): void;
+  /** Whether there is something to do at a node. */
+  protected abstract suits(node: ToolNode): boolean;
+  /** The node that the keys have come to, of those that suit. */
+  #chosen: number | null = null;
 
   navigation(at: PointerInput): Navigation {
     return this.#nodeAt(at) ? 'tool' : 'orbit';
   }
 
   pointerMove(at: PointerInput): void {
-    const node = this.#nodeAt(at);
-    this.#overlay.value = { ...EMPTY_OVERLAY, cursor: node?.at ?? null };
+    this.#chosen = null;
+    this.#show(this.#nodeAt(at)?.at ?? null);
   }
 
   pointerDown(at: PointerInput): void {
@@ -56,16 +79,43 @@ abstract class NodeTool implements Tool {
     this.#overlay.value = EMPTY_OVERLAY;
   }
 
-  key(): boolean {
-    return false;
+  /** Arrow keys go from node to node, Enter does what a click does. */
+  key({ key }: KeyInput): boolean {
+    const step = STEPS[key];
+    if (step === undefined && key !== 'Enter') {
+      return false;
+    }
+    const nodes = sketchNodes(this.context.store.sketch.value.lines).filter((node) =>
+      this.suits(node),
+    );
+    if (step !== undefined) {
+      const from = this.#chosen ?? (step > 0 ? -1 : 0);
+      this.#chosen = nodes.length === 0 ? null : (from + step + nodes.length) % nodes.length;
+    }
+    const node = this.#chosen === null ? undefined : nodes[this.#chosen];
+    this.#show(node?.at ?? null);
+    if (node && step === undefined) {
+      this.apply(node);
+    } else if (node) {
+      this.context.announce(describePoint(this.context.words.draw.cursorAt, node.at));
+    }
+    return true;
   }
 
   escape(): boolean {
-    return false;
+    const had = this.#chosen !== null;
+    this.reset();
+    return had;
   }
 
   reset(): void {
-    this.#overlay.value = EMPTY_OVERLAY;
+    this.#chosen = null;
+    this.#show(null);
+  }
+
+  #show(at: Vec3 | null): void {
+    const preview = at ? ({ from: at, to: null, state: 'ok', snap: 'node' } as const) : null;
+    this.#overlay.value = { ...EMPTY_OVERLAY, cursor: at, preview };
   }
 
   #nodeAt(at: PointerInput): NodePick | null {
@@ -79,7 +129,12 @@ export class SplitTool extends NodeTool {
   readonly id = 'split';
   readonly hint = signal(this.context.words.hints.split);
 
-  protected apply(node: NodePick): void {
+  protected suits({ at, lines }: ToolNode): boolean {
+    const sketch = this.context.store.sketch.value;
+    return lines.some((index) => splitAt(sketch, index, at) !== sketch);
+  }
+
+  protected apply(node: ToolNode): void {
     const { store, words } = this.context;
     let sketch = store.sketch.value;
     for (const index of node.lines) {
@@ -94,7 +149,11 @@ export class JointTool extends NodeTool {
   readonly id = 'joint';
   readonly hint = signal(this.context.words.hints.joint);
 
-  protected apply(node: NodePick): void {
+  protected suits({ at, lines }: ToolNode): boolean {
+    return jointAt(this.context.store.sketch.value, at, lines) !== null;
+  }
+
+  protected apply(node: ToolNode): void {
     const { store, words } = this.context;
     const sketch = store.sketch.value;
     const known = sketch.joints?.some((joint) => pointKey(joint.at) === pointKey(node.at));

@@ -1,5 +1,6 @@
 import type { Problem } from '../model/report.ts';
 import { fillWords } from '../tools/tool-words.ts';
+import { CommandButton } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import type { ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
@@ -136,6 +137,10 @@ function Problems({ problems }: { readonly problems: readonly Problem[] }) {
           </li>
         ))}
       </ul>
+      <div class="mends">
+        <CommandButton id="newSeed" words={text.result.trySeed} class="secondary small" />
+        <CommandButton id="searchLonger" words={text.result.tryLonger} class="secondary small" />
+      </div>
       {more > 0 ? <p class="quiet">{fillWords(text.result.more, { n: more })}</p> : null}
     </div>
   );

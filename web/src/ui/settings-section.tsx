@@ -73,7 +73,7 @@ function BrickChoice() {
 function EffortChoice({ change }: { readonly change: Change }) {
   const { effort } = usePage().preferences.value;
   const names = Object.keys(EFFORTS) as EffortName[];
-  const now = names.find((name) => EFFORTS[name] === effort) ?? 'usual';
+  const now = [...names].reverse().find((name) => EFFORTS[name] <= effort) ?? 'quick';
   return (
     <div class="field">
       <span>{text.settings.effort}</span>

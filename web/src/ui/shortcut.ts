@@ -7,6 +7,17 @@ export interface KeyPress {
   readonly altKey: boolean;
 }
 
+/** How a key is written where its name is too long. */
+const SHORT: Readonly<Record<string, string>> = {
+  Mod: 'Ctrl',
+  Escape: 'Esc',
+  Plus: '+',
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+};
+
 const SYMBOLS: Readonly<Record<string, string>> = {
   Mod: '⌘',
   Shift: '⇧',
@@ -19,7 +30,9 @@ const SYMBOLS: Readonly<Record<string, string>> = {
 /** Whether a key press is the shortcut `Mod+Shift+K`. Letters match in either case. */
 export function matchesShortcut(press: KeyPress, shortcut: string, mac: boolean): boolean {
   const parts = shortcut.split('+');
-  const key = parts.at(-1) ?? '';
+  const last = parts.at(-1) ?? '';
+  // The sign that joins the parts cannot stand for itself.
+  const key = last === 'Plus' ? '+' : last;
   const mod = mac ? press.metaKey : press.ctrlKey;
   const other = mac ? press.ctrlKey : press.metaKey;
   return (
@@ -35,9 +48,7 @@ export function matchesShortcut(press: KeyPress, shortcut: string, mac: boolean)
 /** The keys of a shortcut as they stand on the keyboard. */
 export function shortcutKeys(shortcut: string, mac: boolean): string[] {
   return shortcut.split('+').map((part) => {
-    if (mac) {
-      return SYMBOLS[part] ?? part;
-    }
-    return part === 'Mod' ? 'Ctrl' : part === 'Escape' ? 'Esc' : part;
+    const short = SHORT[part] ?? part;
+    return mac ? (SYMBOLS[part] ?? short) : short;
   });
 }

@@ -55,6 +55,7 @@ function Hint() {
       <p class="hint floating">
         <strong>{row.name}</strong>
         <span>{row.part}</span>
+        <span>{row.count}×</span>
       </p>
     );
   }

@@ -12,6 +12,7 @@ import {
   removeLines,
 } from '../../state/edits.ts';
 import { mirrorPlace } from '../../state/mirror-place.ts';
+import { fillWords } from '../../tools/tool-words.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -50,6 +51,35 @@ function historyCommands({ state, undo, redo }: Actions): Command[] {
   ];
 }
 
+const STEPS: readonly (readonly [string, number, string, string])[] = [
+  ['selectNext', 1, text.commands.selectNext, '.'],
+  ['selectPrevious', -1, text.commands.selectPrevious, ','],
+];
+
+/** Selects the line after or before the selected one, round and round, and says which it is. */
+function selectBeside(actions: Actions, step: number): void {
+  const { store } = actions.state;
+  const count = store.sketch.value.lines.length;
+  const [now = step > 0 ? -1 : 0] = store.selection.value;
+  const index = (now + step + count) % count;
+  if (actions.state.tool.value.id !== 'select') {
+    actions.useTool('select');
+  }
+  store.select([index]);
+  const line = store.sketch.value.lines[index];
+  if (line) {
+    const place = (point: Vec3) => point.map((value) => Math.round(value * 100) / 100).join(', ');
+    actions.announce(
+      fillWords(text.draw.lineChosen, {
+        i: index + 1,
+        n: Math.round(lineLength(line)),
+        from: place(line.from),
+        to: place(line.to),
+      }),
+    );
+  }
+}
+
 function selectionCommands(actions: Actions): Command[] {
   const { store } = actions.state;
   const some = () => store.selection.value.size > 0;
@@ -86,6 +116,16 @@ function selectionCommands(actions: Actions): Command[] {
       when: some,
       run: () => store.select(connectedLines(store.sketch.value, store.selection.value)),
     },
+    ...STEPS.map(
+      ([id, step, label, shortcut]): Command => ({
+        ...row,
+        id,
+        label,
+        shortcut,
+        when: any,
+        run: () => selectBeside(actions, step),
+      }),
+    ),
     {
       ...row,
       id: 'selectChain',

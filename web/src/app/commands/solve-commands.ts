@@ -44,6 +44,18 @@ export function solveCommands(actions: Actions): Command[] {
       },
     },
     {
+      id: 'searchLonger',
+      label: text.commands.searchLonger,
+      group: 'solve',
+      icon: 'play',
+      when: () => state.store.sketch.value.lines.length > 0 && preferences.value.effort < 16,
+      run: () => {
+        const effort = Math.min(16, Math.max(1, preferences.value.effort) * 4);
+        preferences.value = { ...preferences.value, effort };
+        actions.generate();
+      },
+    },
+    {
       id: 'newSeed',
       label: text.commands.newSeed,
       group: 'solve',

@@ -16,6 +16,18 @@ const VIEWS: readonly (readonly [string, StandardView, IconName, string, string 
   ['viewBottom', 'bottom', 'cube', text.commands.viewBottom, undefined],
 ];
 
+const TURN = Math.PI / 12;
+
+/** Nearer and farther by a factor, and turns to the right and upwards by radians. */
+const MOVES: readonly (readonly [string, IconName, string, string, number, number, number])[] = [
+  ['zoomIn', 'plus', text.commands.zoomIn, 'Plus', 0.8, 0, 0],
+  ['zoomOut', 'minus', text.commands.zoomOut, '-', 1.25, 0, 0],
+  ['turnLeft', 'rotate', text.commands.turnLeft, 'Alt+ArrowLeft', 1, -TURN, 0],
+  ['turnRight', 'rotate', text.commands.turnRight, 'Alt+ArrowRight', 1, TURN, 0],
+  ['turnUp', 'rotate', text.commands.turnUp, 'Alt+ArrowUp', 1, 0, TURN],
+  ['turnDown', 'rotate', text.commands.turnDown, 'Alt+ArrowDown', 1, 0, -TURN],
+];
+
 const SHOWS: readonly (readonly [string, Preferences['show'], string])[] = [
   ['showSketch', 'sketch', text.commands.showSketch],
   ['showBoth', 'both', text.commands.showBoth],
@@ -88,6 +100,16 @@ function cameraCommands(actions: Actions): Command[] {
       shortcut: 'F',
       run: actions.fit,
     },
+    ...MOVES.map(
+      ([id, icon, label, shortcut, factor, right, up]): Command => ({
+        id,
+        label,
+        group: 'view',
+        icon,
+        shortcut,
+        run: () => actions.moveCamera({ factor, right, up }),
+      }),
+    ),
     ...VIEWS.map(
       ([id, view, icon, label, shortcut]): Command => ({
         id,

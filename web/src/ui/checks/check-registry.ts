@@ -1,5 +1,6 @@
 import type { ComponentType } from 'preact';
 import type { Page, ShownModel } from '../page.ts';
+import { STRESS_CHECK } from './stress.tsx';
 
 /** How a check stands: met, not met, nothing to say, or still being computed. */
 export interface CheckStatus {
@@ -23,4 +24,4 @@ export interface CheckView {
 }
 
 /** All further checks, in the order of the panel; a new one is a row here. */
-export const CHECK_VIEWS: readonly CheckView[] = [];
+export const CHECK_VIEWS: readonly CheckView[] = [STRESS_CHECK];

@@ -5,8 +5,8 @@ import type { DrawingCamera } from './drawing-camera.ts';
 import type { DrawnPart, MeshShelf } from './drawn-part.ts';
 
 /** Lights of the pictures: a key light from above the viewer's left shoulder, and the sky. */
-const KEY = { right: -0.45, up: 0.68, out: 0.58, strength: 0.42 } as const;
-const AMBIENT = 0.68;
+const KEY = { right: -0.45, up: 0.68, out: 0.58, strength: 0.3 } as const;
+const AMBIENT = 0.78;
 const SKY = 0.08;
 
 /** What covers each pixel: how near it is, which part, and how brightly it is lit. */

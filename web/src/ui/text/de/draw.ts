@@ -67,6 +67,7 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     placed: 'Punkt {x}, {y}, {z}',
     lineDrawn: 'Linie der Länge {n} gezeichnet, {count} insgesamt',
     measured: '{n} Module ({mm} mm): {x} längs X, {y} längs Y, {z} längs Z',
+    lineChosen: 'Linie {i}, Länge {n}, von {from} nach {to}',
     finish: 'Fertig',
     noWholeLength: 'Dort endet keine Linie von ganzer Länge.',
   },

@@ -55,6 +55,8 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     size: 'Größe',
     pieces: 'Getrennte Stücke',
     problems: 'Was nicht stimmt',
+    trySeed: 'Anderen Startwert versuchen',
+    tryLonger: 'Länger suchen',
     more: '{n} weitere',
     checks: 'Prüfungen',
     parts: 'Teile',

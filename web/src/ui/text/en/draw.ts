@@ -63,6 +63,7 @@ export const DRAW_EN = {
     placed: 'Point {x}, {y}, {z}',
     lineDrawn: 'Line of length {n} drawn, {count} in all',
     measured: '{n} modules ({mm} mm): {x} along X, {y} along Y, {z} along Z',
+    lineChosen: 'Line {i}, length {n}, from {from} to {to}',
     finish: 'Done',
     noWholeLength: 'No line of whole length ends there.',
   },

@@ -53,6 +53,8 @@ export const SOLVE_EN = {
     size: 'Size',
     pieces: 'Separate pieces',
     problems: 'What is wrong',
+    trySeed: 'Try another seed',
+    tryLonger: 'Search longer',
     more: '{n} more',
     checks: 'Checks',
     parts: 'Parts',

@@ -1,0 +1,300 @@
+#include "analysis/joint_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "analysis/kinematic_chain.h"
+#include "analysis/motion_collisions.h"
+#include "model/number_text.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+using lattice::Pose;
+using lattice::Vec3;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kDegree = kPi / 180.0;
+constexpr double kHalfTurn = 180.0;     // degrees
+constexpr double kLargestStep = 5.0;    // degrees
+constexpr double kSmallestStep = 0.25;  // degrees; stops are found this well
+constexpr double kLargestShift = 0.4;   // modules that a part may move in one step
+constexpr double kMoving = 1e-6;        // radians or modules per unit
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Pose after(const Pose& outer, const Pose& inner) {
+  return {outer.apply(inner.position), outer.rotation * inner.rotation};
+}
+
+//! The linkage with one freedom left: the other motions' drivers are locked.
+MergedLinkage lockOthers(const Freedoms& freedoms, int motion) {
+  MergedLinkage locked = freedoms.merged;
+  for (std::size_t m = 0; m < freedoms.motions.size(); ++m) {
+    const FreeMotion& other = freedoms.motions[m];
+    Link& link = locked.linkage.links[at(other.link)];
+    if (static_cast<int>(m) != motion) {
+      link.turns = link.turns && other.link == freedoms.motions[at(motion)].link;
+      link.shifts = false;
+    }
+  }
+  const MergedLinkage merged = mergeAll(locked.linkage);
+  locked.linkage = merged.linkage;
+  for (int& body : locked.bodyOf) {
+    body = merged.bodyOf[at(body)];
+  }
+  return locked;
+}
+
+//! The farthest that a corner of a moving part is from the driver's line.
+double reachOf(const Scene& scene, const std::vector<int>& bodyOf, int base, const Link& driver) {
+  double reach = 1.0;
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const Box& box = scene.parts[i].box;
+    if (bodyOf[i] == base || box.empty()) {
+      continue;
+    }
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      Vec3 p = box.min;
+      for (int k = 0; k < 3; ++k) {
+        p[k] = (corner >> static_cast<unsigned>(k) & 1U) != 0 ? box.max[k] : p[k];
+      }
+      reach = std::max(reach, lattice::length(lattice::cross(p - driver.at, driver.axis)));
+    }
+  }
+  return reach;
+}
+
+//! Goes one way from the start until something stops it.
+class Sweep {
+ public:
+  Sweep(KinematicChain chain, MotionCollisions& collisions, double step)
+      : chain_(std::move(chain)), collisions_(collisions), step_(step) {}
+
+  //! \param sign 1 or -1. \return Where it ended; keys() has the way there.
+  RangeEnd run(double sign) {
+    RangeEnd end;
+    double step = step_;
+    while (end.degrees < kHalfTurn) {
+      const double next = std::min(end.degrees + step, kHalfTurn);
+      std::optional<std::pair<int, int>> hit;
+      const bool moved = chain_.moveTo(sign * next * kDegree);
+      if (moved) {
+        hit = collisions_.find(chain_.poses());
+      }
+      if (moved && !hit.has_value()) {
+        end.degrees = next;
+        keys_.emplace_back(sign * next, chain_.poses());
+        continue;
+      }
+      end.stoppedBy.clear();
+      if (hit.has_value()) {
+        end.stoppedBy = {hit->first, hit->second};
+        chain_.moveTo(sign * end.degrees * kDegree);
+      }
+      step /= 2;
+      if (step < kSmallestStep) {
+        break;
+      }
+    }
+    if (end.degrees >= kHalfTurn) {
+      end.stoppedBy.clear();
+    }
+    end.degrees *= sign;
+    return end;
+  }
+
+  [[nodiscard]] const std::vector<std::pair<double, std::vector<Pose>>>& keys() const {
+    return keys_;
+  }
+
+ private:
+  KinematicChain chain_;
+  MotionCollisions& collisions_;
+  double step_;
+  std::vector<std::pair<double, std::vector<Pose>>> keys_;  // degrees, pose per body
+};
+
+bool isFullTurn(const JointRange& range) {
+  return range.to.degrees - range.from.degrees >= 2 * kHalfTurn - kSmallestStep;
+}
+
+std::string endText(const Scene& scene, const RangeEnd& end) {
+  const std::string angle = model::numberText(end.degrees, 1) + " degrees";
+  if (!end.stoppedBy.empty()) {
+    return angle + " (" + nameOf(scene, end.stoppedBy[0]) + " meets " +
+           nameOf(scene, end.stoppedBy[1]) + ")";
+  }
+  return angle + (std::abs(end.degrees) < kHalfTurn ? " (dead point)" : "");
+}
+
+//! Key poses from both sweeps, thinned out to about the largest step.
+MotionPath makePath(const Scene& scene,
+                    const std::vector<int>& bodyOf,
+                    const Sweep& back,
+                    const Sweep& forth) {
+  std::vector<std::pair<double, std::vector<Pose>>> keys;
+  const auto keep = [&](const Sweep& sweep) {
+    double last = 0.0;
+    for (const auto& key : sweep.keys()) {
+      if (std::abs(key.first - last) > kLargestStep * 0.8 || &key == &sweep.keys().back()) {
+        keys.push_back(key);
+        last = key.first;
+      }
+    }
+  };
+  keep(back);
+  std::reverse(keys.begin(), keys.end());
+  const std::size_t bodies = static_cast<std::size_t>(
+      bodyOf.empty() ? 0 : *std::max_element(bodyOf.begin(), bodyOf.end()) + 1);
+  keys.emplace_back(0.0, std::vector<Pose>(bodies));
+  keep(forth);
+  MotionPath path;
+  for (std::size_t i = 0; i < bodyOf.size(); ++i) {
+    const bool moves = std::any_of(keys.begin(), keys.end(), [&](const auto& key) {
+      const Pose& pose = key.second[at(bodyOf[i])];
+      return pose.position != Vec3{} || pose.rotation.m != lattice::Mat3{}.m;
+    });
+    if (moves) {
+      path.parts.push_back(static_cast<int>(i));
+    }
+  }
+  for (const auto& [degrees, poses] : keys) {
+    path.degrees.push_back(degrees);
+    path.poses.emplace_back();
+    for (const int i : path.parts) {
+      path.poses.back().push_back(after(poses[at(bodyOf[at(i)])], scene.model->parts[at(i)].pose));
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+JointMover::JointMover(const Scene& scene, const std::vector<EdgeCover>& coverage) : scene_(scene) {
+  free_.query = makeFreedomsQuery(scene, coverage, Friction::kFree);
+  free_.freedoms = findFreedoms(free_.query);
+  held_.query = makeFreedomsQuery(scene, coverage, Friction::kHeld);
+  held_.freedoms = findFreedoms(held_.query);
+}
+
+std::string JointMover::whyStiff(int joint) const {
+  const JointLine& line = free_.query.joints[at(joint)];
+  const Freedoms& freedoms = free_.freedoms;
+  if (line.a < 0 || line.b < 0) {
+    return "no beam covers the lines on one of its sides";
+  }
+  if (freedoms.merged.bodyOf[at(line.a)] == freedoms.merged.bodyOf[at(line.b)]) {
+    return nameOf(scene_, line.a) + " and " + nameOf(scene_, line.b) +
+           " on its sides are held together as one rigid body";
+  }
+  const bool onAxis =
+      std::all_of(freedoms.motions.begin(), freedoms.motions.end(), [&](const FreeMotion& m) {
+        return jointMove(line, m.twists).onAxis;
+      });
+  if (!onAxis) {
+    return nameOf(scene_, line.a) + " and " + nameOf(scene_, line.b) +
+           " on its sides move against each other, but not about its axis";
+  }
+  return "the rest of the model holds its sides against each other";
+}
+
+JointMotion JointMover::turnJoint(int joint) const {
+  JointMotion result;
+  const bool turnsHeld = held_.freedoms.jointTurns[at(joint)];
+  if (!turnsHeld && !free_.freedoms.jointTurns[at(joint)]) {
+    result.range.message = "Does not turn: " + whyStiff(joint) + ".";
+    return result;
+  }
+  const Study& study = turnsHeld ? held_ : free_;
+  const JointLine& line = study.query.joints[at(joint)];
+  int best = -1;
+  for (std::size_t m = 0; m < study.freedoms.motions.size(); ++m) {
+    const FreeMotion& motion = study.freedoms.motions[m];
+    const bool turns = std::abs(jointMove(line, motion.twists).rate) > kMoving;
+    if (motion.joint == joint || (best < 0 && turns)) {
+      best = static_cast<int>(m);
+    }
+  }
+  Link driver;
+  driver.a = line.a;
+  driver.b = line.b;
+  driver.at = line.at;
+  driver.axis = line.axis;
+  result = run(study, best, driver);
+  if (!turnsHeld && result.range.turns) {
+    result.range.message += " Pins with friction turn with it.";
+  }
+  return result;
+}
+
+JointMotion JointMover::follow(int motion) const {
+  const FreeMotion& source = free_.freedoms.motions[at(motion)];
+  if (source.joint >= 0) {
+    return turnJoint(source.joint);
+  }
+  JointMotion result;
+  if (source.shifts) {
+    result.range.message = "An axle shifts in a pin hole: nothing turns.";
+    return result;
+  }
+  Link driver = free_.freedoms.merged.linkage.links[at(source.link)];
+  driver.shifts = false;
+  const auto partOf = [&](int body) {
+    const std::vector<int>& bodies = free_.freedoms.merged.bodyOf;
+    return static_cast<int>(std::find(bodies.begin(), bodies.end(), body) - bodies.begin());
+  };
+  driver.a = partOf(driver.a);
+  driver.b = partOf(driver.b);
+  return run(free_, motion, driver);
+}
+
+//! \param driver Between two parts.
+JointMotion JointMover::run(const Study& study, int motion, Link driver) const {
+  const MergedLinkage locked = lockOthers(study.freedoms, motion);
+  driver.a = locked.bodyOf[at(driver.a)];
+  driver.b = locked.bodyOf[at(driver.b)];
+  JointMotion result;
+  if (driver.a == driver.b) {
+    result.range.message = "Does not turn: the rest of the model holds it.";
+    return result;
+  }
+  // The heaviest body at rest in the motion is the base.
+  std::vector<double> weights(at(locked.linkage.bodies), 0.0);
+  for (std::size_t i = 0; i < locked.bodyOf.size(); ++i) {
+    const Twist& twist = study.freedoms.motions[at(motion)].twists[i];
+    if (lattice::length(twist.linear) + lattice::length(twist.angular) < kMoving) {
+      weights[at(locked.bodyOf[i])] += 1e-6 + study.query.weight[i];
+    }
+  }
+  const int base =
+      static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const double reach = reachOf(scene_, locked.bodyOf, base, driver);
+  const double step = std::clamp(kLargestShift / reach / kDegree, 2 * kSmallestStep, kLargestStep);
+  MotionCollisions collisions(scene_, locked.bodyOf);
+  const KinematicChain chain(locked.linkage, driver, base);
+  Sweep forth(chain, collisions, step);
+  Sweep back(chain, collisions, step);
+  JointRange& range = result.range;
+  range.to = forth.run(1.0);
+  range.from = back.run(-1.0);
+  range.turns = range.to.degrees - range.from.degrees >= 2 * kSmallestStep;
+  if (!range.turns) {
+    range.message = "Does not turn: it is stopped at once, at " + endText(scene_, range.from) +
+                    " and at " + endText(scene_, range.to) + ".";
+    return result;
+  }
+  range.message = isFullTurn(range) ? "Turns all the way round."
+                                    : "Turns from " + endText(scene_, range.from) + " to " +
+                                          endText(scene_, range.to) + ".";
+  result.path = makePath(scene_, locked.bodyOf, back, forth);
+  return result;
+}
+
+}  // namespace liftarm::analysis

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analysis/constraints.h"
+#include "analysis/constraints_screws.h"
+
+namespace liftarm::analysis {
+
+//! \brief Moves a linkage with one freedom for real, not at the first order only.
+//! \details The bodies hang on a tree of links; each other link closes a loop, and the loops are
+//! closed after each step by Newton's method on the angles of the tree (least squares, so that
+//! redundant loops do no harm).
+class KinematicChain {
+ public:
+  //! \param linkage Every link turns. \param driver Turns only; added to the links, and its angle
+  //! is what the motion is asked for. \param base The body that rests.
+  KinematicChain(const Linkage& linkage, const Link& driver, int base);
+
+  //! \brief Brings the driver to an angle in radians from the start.
+  //! \return False where the loops cannot be closed there without a jump: a dead point. Then
+  //! nothing has moved.
+  bool moveTo(double angle);
+
+  //! \brief Where each body is: start place -> present place.
+  [[nodiscard]] const std::vector<lattice::Pose>& poses() const { return poses_; }
+
+ private:
+  //! One angle or shift of the tree.
+  struct Variable {
+    int link = -1;
+    int parent = -1;
+    int child = -1;
+    double sign = 1.0;  // of the link's own direction
+    bool shifts = false;
+    double value = 0.0;
+    double start = 0.0;  // of the present move
+  };
+
+  void growTree(int base);
+  void addVariables(int link, int parent, int child);
+  void place();
+  [[nodiscard]] Twist screwOf(const Variable& variable) const;
+  bool closeLoops();
+  [[nodiscard]] std::vector<double> loopErrors() const;
+  [[nodiscard]] bool jumped() const;
+
+  Linkage linkage_;  // the driver first
+  double unit_ = 1.0;
+  std::vector<Variable> variables_;              // parents first
+  std::vector<std::vector<std::size_t>> above_;  // per body: variables on its way from the base
+  std::vector<int> loops_;                       // links outside the tree
+  std::size_t driver_ = 0;                       // variable
+  std::vector<lattice::Pose> poses_;
+};
+
+}  // namespace liftarm::analysis

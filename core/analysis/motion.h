@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "analysis/balance.h"
+#include "analysis/coverage.h"
+#include "analysis/findings.h"
+#include "analysis/freedoms.h"
+#include "analysis/joint_motion.h"
+#include "analysis/scene.h"
+
+namespace liftarm::analysis {
+
+//! \brief How a model stands and moves.
+struct MotionReport {
+  Freedoms free;                   //!< every pin turns
+  Freedoms held;                   //!< pins with friction hold
+  std::vector<JointRange> joints;  //!< as annotated in the sketch
+  std::optional<Balance> balance;
+};
+
+MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& coverage);
+
+//! \brief Item 7 of DESIGN 5: each annotated joint turns about its axis.
+ItemResult checkJoints(const Scene& scene, const MotionReport& report);
+
+}  // namespace liftarm::analysis

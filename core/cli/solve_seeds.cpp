@@ -1,0 +1,106 @@
+#include "cli/solve_seeds.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "cli/best_of.h"
+#include "design/design_session.h"
+
+namespace liftarm::cli {
+
+namespace {
+
+using nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint32_t kSlice = 20000;  // iterations in one call
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double milliseconds(double seconds) {
+  return std::round(seconds * 1000.0) / 1000.0;
+}
+
+std::string textOf(const ordered_json& settings) {
+  return settings.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+base::Result<Solution> solveOnce(const std::string& sketchJson, const ordered_json& settings) {
+  const Clock::time_point start = Clock::now();
+  base::Result<std::unique_ptr<design::DesignSession>> created =
+      design::DesignSession::create(sketchJson, textOf(settings));
+  if (!created.ok()) {
+    return created.error();
+  }
+  const std::unique_ptr<design::DesignSession> session = std::move(created).value();
+  // The session prepares its search in its first step.
+  bool done = session->advance(1);
+  const double stageOne = secondsSince(start);
+  const Clock::time_point search = Clock::now();
+  while (!done) {
+    done = session->advance(kSlice);
+  }
+  const double stageTwo = secondsSince(search);
+  Solution solution{ordered_json::parse(session->reportJson(), nullptr, false),
+                    session->modelJson()};
+  solution.report["seconds"] = {{"stageOne", milliseconds(stageOne)},
+                                {"stageTwo", milliseconds(stageTwo)},
+                                {"total", milliseconds(stageOne + stageTwo)}};
+  return solution;
+}
+
+base::Result<Solution> solveSeeds(const std::string& sketchJson,
+                                  const ordered_json& settings,
+                                  std::uint64_t first,
+                                  int seeds,
+                                  int threads) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::optional<base::Result<Solution>>> results(static_cast<std::size_t>(seeds));
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < results.size(); i = next++) {
+      ordered_json mine = settings;
+      mine["seed"] = first + i;
+      results[i] = solveOnce(sketchJson, mine);
+    }
+  };
+  std::vector<std::thread> helpers;
+  for (int i = 1; i < std::min(seeds, threads); ++i) {
+    helpers.emplace_back(work);
+  }
+  work();
+  for (std::thread& helper : helpers) {
+    helper.join();
+  }
+  ordered_json all = ordered_json::array();
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i]->ok()) {
+      return results[i]->error();  // of the sketch or the settings: the same for every seed
+    }
+    const ordered_json& report = results[i]->value().report;
+    all.push_back({{"seed", report.value("seed", std::uint64_t{0})},
+                   {"buildable", report.value("buildable", false)},
+                   {"beams", report.value("beams", 0)},
+                   {"bricks", report.value("bricks", 0)}});
+    if (isBetter(standingOf(report), standingOf(results[best]->value().report))) {
+      best = i;
+    }
+  }
+  Solution solution = std::move(*results[best]).value();
+  solution.report["seeds"] = all;
+  solution.report["seconds"]["total"] = milliseconds(secondsSince(start));
+  return solution;
+}
+
+}  // namespace liftarm::cli

@@ -1,0 +1,137 @@
+#include "instructions/stability.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace liftarm::instructions {
+
+namespace {
+
+using analysis::Scene;
+using lattice::Vec3;
+using parts::Prism;
+
+constexpr double kTouch = 0.06;   // modules: rounded edges and play
+constexpr double kMargin = 1e-6;  // a centre right over the edge stands
+
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+double turn(Point a, Point b, Point c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+//! The corners of the convex hull against the clock.
+std::vector<Point> hullOf(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](Point a, Point b) {
+    return std::pair(a.x, a.y) < std::pair(b.x, b.y);
+  });
+  std::vector<Point> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = hull.size();
+    for (const Point p : points) {
+      while (hull.size() >= start + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();  // the last point begins the other side
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+bool inside(Point p, const std::vector<Point>& hull) {
+  if (hull.size() < 3) {
+    return false;
+  }
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    if (turn(hull[i], hull[(i + 1) % hull.size()], p) < -kMargin) {
+      return false;
+    }
+  }
+  return true;
+}
+
+//! The point of a prism that lies furthest along d.
+Vec3 furthest(const Prism& prism, Vec3 d) {
+  const double along = lattice::dot(d, prism.axis);
+  const Vec3 across = d - along * prism.axis;
+  const double norm = lattice::length(across);
+  Vec3 p = lattice::dot(d, prism.to - prism.from) > 0.0 ? prism.to : prism.from;
+  if (norm > 1e-12) {
+    p = p + (prism.radius / norm) * across;
+  }
+  return p + (along >= 0.0 ? prism.halfThickness : -prism.halfThickness) * prism.axis;
+}
+
+//! The level of the table under some parts.
+double floorOf(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
+  double floor = 1e9;
+  for (const int part : parts) {
+    for (const analysis::Shape& shape : scene.parts[static_cast<std::size_t>(part)].shapes) {
+      floor = std::min(floor, lattice::dot(furthest(shape.prism, -up), up));
+    }
+  }
+  return floor;
+}
+
+}  // namespace
+
+bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
+  const Vec3 helper = up.z * up.z > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+  const Vec3 u = lattice::normalized(lattice::cross(up, helper));
+  const Vec3 v = lattice::cross(up, u);
+  const auto flat = [&](Vec3 p) { return Point{lattice::dot(p, u), lattice::dot(p, v)}; };
+  const double floor = floorOf(scene, parts, up);
+  // Tilted a little each way, the lowest points of a solid are the corners of its underside.
+  constexpr double kTilt = 1e-3;
+  constexpr std::array<Point, 8> kWays{
+      {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
+  std::vector<Point> touching;
+  Vec3 moment;
+  double mass = 0.0;
+  for (const int index : parts) {
+    const auto i = static_cast<std::size_t>(index);
+    const parts::Part& part = *scene.parts[i].part;
+    mass += part.mass;
+    moment = moment +
+             part.mass * scene.model->parts[i].pose.apply(0.5 * (part.boundsMin + part.boundsMax));
+    for (const analysis::Shape& shape : scene.parts[i].shapes) {
+      for (const Point way : kWays) {
+        const Vec3 p = furthest(shape.prism, kTilt * way.x * u + kTilt * way.y * v - up);
+        if (lattice::dot(p, up) < floor + kTouch) {
+          touching.push_back(flat(p));
+        }
+      }
+    }
+  }
+  return mass > 0.0 && inside(flat((1.0 / mass) * moment), hullOf(std::move(touching)));
+}
+
+bool standTogether(const Scene& scene, const std::vector<std::vector<int>>& sets, Vec3 up) {
+  double lowest = 1e9;
+  double highest = -1e9;
+  for (const std::vector<int>& set : sets) {
+    const double floor = floorOf(scene, set, up);
+    lowest = std::min(lowest, floor);
+    highest = std::max(highest, floor);
+  }
+  return highest - lowest <= kTouch &&
+         std::all_of(sets.begin(), sets.end(), [&](const std::vector<int>& set) {
+           return standsOn(scene, set, up);
+         });
+}
+
+bool standAnyway(const Scene& scene, const std::vector<std::vector<int>>& sets) {
+  constexpr std::array<Vec3, 6> kSides{
+      {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
+  return std::any_of(
+      kSides.begin(), kSides.end(), [&](Vec3 up) { return standTogether(scene, sets, up); });
+}
+
+}  // namespace liftarm::instructions

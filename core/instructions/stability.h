@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/scene.h"
+
+namespace liftarm::instructions {
+
+//! \brief Whether connected parts stand on a table by themselves, by their weight alone.
+//! \details Their centre of mass (part masses at the middles of their bounds) lies over the convex
+//! hull of what touches the table. \param up Unit vector; the table is where the parts reach
+//! furthest against it.
+bool standsOn(const analysis::Scene& scene, const std::vector<int>& parts, lattice::Vec3 up);
+
+//! \brief The same for parts that may be several connected sets: each stands by itself, and all
+//! reach the same table.
+bool standTogether(const analysis::Scene& scene,
+                   const std::vector<std::vector<int>>& sets,
+                   lattice::Vec3 up);
+
+//! \brief Whether they stand, or lie, on any of their six sides.
+bool standAnyway(const analysis::Scene& scene, const std::vector<std::vector<int>>& sets);
+
+}  // namespace liftarm::instructions

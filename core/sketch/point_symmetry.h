@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "sketch/arrangement.h"
+
+namespace liftarm::sketch {
+
+//! \brief An isometry that keeps one point: p -> linear * (p - centre) + centre.
+struct PointIsometry {
+  lattice::Mat3 linear;
+  lattice::Vec3 centre;
+
+  [[nodiscard]] lattice::Vec3 apply(lattice::Vec3 p) const {
+    return linear * (p - centre) + centre;
+  }
+};
+
+//! \brief All isometries but the identity, and but mirrors that move no node, that bring the unit
+//! edges of an arrangement onto themselves with their rules and joints. Each once by its effect on
+//! the nodes, except that a flat sketch has rotations beside equal mirrors.
+//! \param piece A connected part, or -1 for all.
+std::vector<PointIsometry> pointSymmetries(const Arrangement& arrangement, int piece);
+
+}  // namespace liftarm::sketch

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "design/design_session.h"
+#include "model/model_json.h"
+
+// Header only: tests from design on use it, and only those link the search.
+
+namespace liftarm::testing {
+
+//! \brief The model text that the search makes of one of our own examples.
+inline std::string solvedExampleText(const std::string& name) {
+  std::ifstream file(std::string(LIFTARM_SOURCE_DIR) + "/public/examples/" + name + ".sketch.json");
+  const std::string sketch{std::istreambuf_iterator<char>(file), {}};
+  auto session = design::DesignSession::create(sketch, "{}");
+  if (!session.ok()) {
+    ADD_FAILURE() << name << ": " << session.error().message;
+    return "";
+  }
+  while (!session.value()->advance(20000)) {
+  }
+  return session.value()->modelJson();
+}
+
+inline model::Model solvedExample(const std::string& name) {
+  const base::Result<model::Model> model = model::readModel(solvedExampleText(name));
+  if (!model.ok()) {
+    ADD_FAILURE() << name << ": " << model.error().message;
+    return {};
+  }
+  return model.value();
+}
+
+}  // namespace liftarm::testing
