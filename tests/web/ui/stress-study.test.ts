@@ -18,7 +18,7 @@ const GOOD: TextResult = { outcome: 'ok', text: JSON.stringify(stressResult()) }
 const settle = () => new Promise((done) => setTimeout(done));
 
 function optionsOf(question: Question | undefined): StressOptions {
-  return JSON.parse(question?.optionsJson ?? 'null');
+  return JSON.parse(question?.about === 'stress' ? question.optionsJson : 'null');
 }
 
 describe('StressStudy', () => {
