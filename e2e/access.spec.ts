@@ -1,6 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
-import { expect, openPage, test } from './helpers/test.ts';
+import { expect, openPage, runCommand, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -23,6 +23,7 @@ for (const theme of ['light', 'dark'] as const) {
       ['Control+k', 'All commands'],
       ['?', 'Keys and help'],
       ['Shift+E', 'Examples'],
+      ['Shift+S', 'My sketches'],
     ] as const) {
       await page.locator('.scene canvas').focus();
       await page.keyboard.press(shortcut);
@@ -31,5 +32,33 @@ for (const theme of ['light', 'dark'] as const) {
       await page.keyboard.press('Escape');
       await expect(page.getByRole('dialog')).toBeHidden();
     }
+    await runCommand(page, 'brick set');
+    await expect(page.getByRole('dialog', { name: 'Brick set' })).toBeVisible();
+    expect(await seriousFindings(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+    for (const flyout of ['Look inside', 'Standard views']) {
+      await page.locator(`summary[aria-label^="${flyout}"]`).click();
+      expect(await seriousFindings(page)).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
   });
 }
+
+test('the page speaks German to those who ask for it', async ({ page }) => {
+  await page.goto('/?lang=de');
+  await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'de');
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox').fill('sprache english');
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
+});
+
+test('every command can be reached from the keyboard', async ({ page }) => {
+  await openPage(page);
+  await page.keyboard.press('Control+k');
+  const shown = await page.getByRole('option').count();
+  expect(shown).toBeGreaterThan(60);
+  await page.keyboard.press('ArrowUp');
+  await expect(page.getByRole('option').last()).toHaveAttribute('aria-selected', 'true');
+});

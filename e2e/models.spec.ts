@@ -17,6 +17,9 @@ import {
 // Nothing here looks at the picture.
 test.use({ draws: false });
 
+/** So often the picture is made smaller, so that what is still to be drawn is in it. */
+const ZOOMS = 4;
+
 interface Line {
   readonly from: [number, number, number];
   readonly to: [number, number, number];
@@ -32,15 +35,16 @@ async function lookFrom(page: Page, view: 'iso' | 'top'): Promise<Camera> {
   const shown = empty ? [] : (await linesOf(page)).flatMap(({ from, to }) => [from, to]);
   await page.keyboard.press(view === 'iso' ? 'i' : 't');
   await settled(page);
-  await page.keyboard.press('-');
-  await page.keyboard.press('-');
+  for (let i = 0; i < ZOOMS; i++) {
+    await page.keyboard.press('-');
+  }
   await settled(page);
   return cameraOf(page, view, shown);
 }
 
 async function cameraOf(page: Page, view: StandardView, shown: readonly Point[]) {
   const box = await page.locator('.scene canvas').boundingBox();
-  return new Camera(view, shown, box ?? { width: 1, height: 1 }, 1 / 1.25 ** 2);
+  return new Camera(view, shown, box ?? { width: 1, height: 1 }, 1 / 1.25 ** ZOOMS);
 }
 
 /** Clicks points of space one after the other, and ends the chain. */

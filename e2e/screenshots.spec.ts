@@ -3,11 +3,13 @@ import { resolve } from 'node:path';
 import type { Page } from '@playwright/test';
 import { scaffold } from './helpers/sketches.ts';
 import {
+  canvasPoint,
   clickPlaces,
   expect,
   openEmpty,
   openPage,
   openText,
+  runCommand,
   settled,
   test,
 } from './helpers/test.ts';
@@ -98,6 +100,60 @@ test('examples and help', async ({ page }) => {
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Keys and help' }).click();
   await shoot(page, 'help');
+});
+
+test('look inside', async ({ page }) => {
+  await openExample(page, /^Chair/);
+  await runCommand(page, 'cut open along Y');
+  const brick = await canvasPoint(page, 30, -220);
+  await page.mouse.click(brick.x, brick.y);
+  await shoot(page, 'look-inside');
+});
+
+test('sketches and bricks', async ({ page }) => {
+  await openExample(page, /^House/);
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.getByRole('button', { name: /^Seesaw/ }).click();
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+S');
+  await expect(page.locator('.sketch-card').first()).toBeVisible();
+  await shoot(page, 'sketches');
+  await page.keyboard.press('Escape');
+  await runCommand(page, 'brick set');
+  await expect(page.locator('.part-picture img').nth(8)).toBeVisible({ timeout: 60_000 });
+  await shoot(page, 'bricks');
+});
+
+test('settings and search', async ({ page }) => {
+  await openExample(page, /^Table/);
+  await page.getByRole('heading', { name: 'Parts' }).click();
+  await page.getByRole('heading', { name: 'Search' }).click();
+  await page.getByRole('heading', { name: 'Symmetry' }).click();
+  await page.getByRole('checkbox', { name: /^Mirror at x/ }).hover();
+  await shoot(page, 'search');
+  await page.getByRole('heading', { name: 'Settings' }).click();
+  await page.getByRole('heading', { name: 'Settings' }).scrollIntoViewIfNeeded();
+  await page.mouse.wheel(0, 2000);
+  await shoot(page, 'settings');
+});
+
+test('snaps', async ({ page }) => {
+  await openEmpty(page);
+  await page.keyboard.press('l');
+  await clickPlaces(page, [
+    [-200, -100],
+    [0, -100],
+  ]);
+  const end = await canvasPoint(page, 150, 100);
+  await page.mouse.move(end.x, end.y);
+  await shoot(page, 'snap');
+});
+
+test('German', async ({ page }) => {
+  await page.goto('/?lang=de');
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 100_000 });
+  await shoot(page, 'german');
 });
 
 test('failed', async ({ page }) => {

@@ -13,6 +13,8 @@ import { capture, exitWith, StepError, TOP } from './lib/run.mjs';
 const FOLDER = resolve(TOP, 'public/gallery');
 const SIZE = { width: 320, height: 240, margin: 12 };
 const COLOURS = 64;
+/** Thin lines: a thumbnail is small. */
+const STYLE = { detail: 'high', smooth: 3, line: 0.34 };
 
 const { values: options } = parseArgs({
   options: {
@@ -58,7 +60,7 @@ function drawThumbnail(row, parts, tools) {
   const shown = parts.map(tools.drawn);
   const points = shown.flatMap((part) => tools.shelf.corners(part));
   const camera = tools.cameraFor(points, tools.ISO_OUT, SIZE);
-  const picture = tools.drawPicture(shown, camera, tools.shelf);
+  const picture = tools.drawPicture(shown, camera, tools.shelf, STYLE);
   const palette = gifenc.quantize(picture.data, COLOURS, { format: 'rgba4444' });
   const indices = gifenc.applyPalette(picture.data, palette, 'rgba4444');
   writeFileSync(

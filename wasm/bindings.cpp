@@ -10,6 +10,7 @@
 
 #include "base/status.h"
 #include "design/design_session.h"
+#include "design/symmetries.h"
 #include "wasm/contract.h"
 
 namespace {
@@ -84,6 +85,10 @@ SolverReply freeMotionJson(const std::string& modelJson, int motion) {
   return toReply(liftarm::design::freeMotionJson(modelJson, motion));
 }
 
+SolverReply findSymmetriesJson(const std::string& sketchJson) {
+  return toReply(liftarm::design::findSymmetriesJson(sketchJson));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -107,6 +112,7 @@ EMSCRIPTEN_BINDINGS(liftarm) {
   emscripten::function("analyseMotionJson", &analyseMotionJson);
   emscripten::function("jointMotionJson", &jointMotionJson);
   emscripten::function("freeMotionJson", &freeMotionJson);
+  emscripten::function("findSymmetriesJson", &findSymmetriesJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }

@@ -14,6 +14,7 @@ MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& cov
     report.joints.push_back(mover.turnJoint(joint).range);
   }
   report.balance = checkBalance(scene);
+  report.braces = findBraces(scene, coverage, report.free);
   return report;
 }
 

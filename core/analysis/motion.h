@@ -7,6 +7,7 @@
 #include "analysis/coverage.h"
 #include "analysis/findings.h"
 #include "analysis/freedoms.h"
+#include "analysis/freedoms_braces.h"
 #include "analysis/joint_motion.h"
 #include "analysis/scene.h"
 
@@ -18,6 +19,7 @@ struct MotionReport {
   Freedoms held;                   //!< pins with friction hold
   std::vector<JointRange> joints;  //!< as annotated in the sketch
   std::optional<Balance> balance;
+  std::vector<Brace> braces;  //!< against the free motions that no joint accounts for
 };
 
 MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& coverage);

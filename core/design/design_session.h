@@ -75,7 +75,7 @@ base::Result<std::string> analyseStressJson(std::string_view modelJson,
 //! "stoppedBy": {"from": [two parts] or [], "to"}, "message"}], "balance": {"stable", "centre":
 //! [x,y,z], "polygon":
 //! [[x,y]], "ground": z, "margin": modules, "tippingAngle": degrees, "direction": [x,y]} or null,
-//! "braces"}.
+//! "braces": [{"lines": [two], "from", "to": [x,y,z], "message"}]}.
 base::Result<std::string> analyseMotionJson(std::string_view modelJson);
 
 //! \brief Turns an annotated joint through its range.

@@ -148,6 +148,17 @@ ordered_json pathJson(int index, const analysis::JointMotion& motion) {
           {"poses", poses}};
 }
 
+ordered_json bracesJson(const std::vector<analysis::Brace>& braces) {
+  ordered_json result = ordered_json::array();
+  for (const analysis::Brace& brace : braces) {
+    result.push_back({{"lines", brace.lines},
+                      {"from", pointJson(brace.from)},
+                      {"to", pointJson(brace.to)},
+                      {"message", brace.message}});
+  }
+  return result;
+}
+
 ordered_json freedomsJson(const analysis::MotionReport& report) {
   return {{"free", report.free.internal},
           {"held", report.held.internal},
@@ -183,6 +194,7 @@ ordered_json motionJson(const analysis::MotionReport& report) {
                     {"motions", motionsJson(report.free)},
                     {"joints", jointsJson(report.joints)}};
   json["balance"] = report.balance ? balanceJson(*report.balance) : ordered_json();
+  json["braces"] = bracesJson(report.braces);
   return json;
 }
 

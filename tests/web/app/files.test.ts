@@ -2,8 +2,13 @@ import { describe, expect, it } from 'vitest';
 import { fileName } from '../../../web/src/app/download.ts';
 import { loadExamples } from '../../../web/src/app/example-list.ts';
 import { MAX_FILE_BYTES, readOpenedFile } from '../../../web/src/app/files.ts';
-import { type SolveResult, SolverError } from '../../../web/src/solver/client.ts';
+import {
+  type SolveResult,
+  type SolverClient,
+  SolverError,
+} from '../../../web/src/solver/client.ts';
 import { silentClient } from '../helpers/silent-client.ts';
+import { catalogue } from '../view/helpers/catalogue.ts';
 
 const SKETCH = '{"format":"technic-sketch","version":1,"lines":[{"from":[0,0,0],"to":[4,0,0]}]}';
 
@@ -19,19 +24,19 @@ function client(answer: SolveResult | Error) {
   };
 }
 
+const open = (chosen: Parameters<typeof readOpenedFile>[0], core: SolverClient) =>
+  readOpenedFile(chosen, core, catalogue);
+
 const file = (text: string, size = text.length) => ({ size, text: async () => text });
 
 describe('opened files', () => {
   it('takes a sketch that the core accepts', async () => {
-    const read = await readOpenedFile(
-      file(SKETCH),
-      client({ outcome: 'cancelled', modelJson: null }),
-    );
+    const read = await open(file(SKETCH), client({ outcome: 'cancelled', modelJson: null }));
     expect(read).toMatchObject({ ok: true, value: { kind: 'sketch' } });
   });
 
   it('says what the core says', async () => {
-    const read = await readOpenedFile(
+    const read = await open(
       file(SKETCH),
       client({ outcome: 'refused', message: 'lines[0]: the words of the core' }),
     );
@@ -39,13 +44,29 @@ describe('opened files', () => {
   });
 
   it('reads a sketch without the core when that cannot run', async () => {
-    const read = await readOpenedFile(file(SKETCH), client(new SolverError('no memory')));
+    const read = await open(file(SKETCH), client(new SolverError('no memory')));
     expect(read.ok).toBe(true);
   });
 
   it('knows a model by its first words', async () => {
-    const read = await readOpenedFile(
+    const read = await open(
       file('{"format":"liftarm-model","version":1,"parts":[]}'),
+      silentClient(),
+    );
+    expect(read).toMatchObject({ ok: true, value: { kind: 'model' } });
+  });
+
+  it('takes the line segments of an .obj file for a sketch', async () => {
+    const read = await open(
+      file('# made elsewhere\nv 0 0 0\nv 4 0 0\nl 1 2\n'),
+      client({ outcome: 'cancelled', modelJson: null }),
+    );
+    expect(read).toMatchObject({ ok: true, value: { kind: 'sketch' } });
+  });
+
+  it('takes an .mpd file for a model', async () => {
+    const read = await open(
+      file('0 FILE a.ldr\n1 71 0 0 0 1 0 0 0 1 0 0 0 1 32316.dat\n'),
       silentClient(),
     );
     expect(read).toMatchObject({ ok: true, value: { kind: 'model' } });
@@ -60,7 +81,7 @@ describe('opened files', () => {
       'could not be read',
     ],
   ])('refuses %s', async (_name, opened, message) => {
-    const read = await readOpenedFile(opened, silentClient());
+    const read = await open(opened, silentClient());
     expect(read.ok ? '' : read.message).toContain(message);
   });
 });

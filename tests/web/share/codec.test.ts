@@ -18,6 +18,18 @@ const SKETCH: SketchDocument = {
   ground: -1,
 };
 const STATE = { sketch: SKETCH, preset: 'faithful', seed: 7 };
+/** Everything that version 2 added. */
+const STATE_2 = {
+  ...STATE,
+  sketch: {
+    ...SKETCH,
+    symmetries: [
+      ...(SKETCH.symmetries ?? []),
+      { kind: 'translation', vector: [0, 4, 0], pairs: [[0, 1]] } as const,
+    ],
+  },
+  settings: { effort: 2, off: ['55615'], owned: { 2780: 40 }, advanced: 'corners=false' },
+};
 
 async function fragment(): Promise<string> {
   const encoded = await encodeShare(STATE);
@@ -35,13 +47,25 @@ describe('share link', () => {
     expect(read).toEqual({ ok: true, value: STATE });
   });
 
+  it('holds settings and symmetries of both kinds', async () => {
+    const encoded = await encodeShare(STATE_2);
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read).toEqual({ ok: true, value: STATE_2 });
+  });
+
+  it('reads the links of version 2 for ever', async () => {
+    const path = new URL('./fixtures/v2-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE_2 });
+  });
+
   it('leaves a fragment alone that is not its own', async () => {
     expect(await decodeShare('')).toBeNull();
     expect(await decodeShare('chapter-2')).toBeNull();
   });
 
   it('says that a newer page made the link', async () => {
-    const read = await decodeShare((await fragment()).replace(/^s1/, 's9'));
+    const read = await decodeShare((await fragment()).replace(/^s2/, 's9'));
     expect(read?.ok === false && read.message).toContain('newer version');
   });
 

@@ -54,6 +54,10 @@ function countingModule(steps: number) {
       text === 'bad' ? { status: 'invalidInput', text: 'no model' } : { status: 'ok', text },
     planAssemblyJson: (text) => ({ status: 'ok', text }),
     analyseStressJson: (text, options) => ({ status: 'ok', text: `${text} under ${options}` }),
+    analyseMotionJson: (text) => ({ status: 'ok', text: `motion of ${text}` }),
+    jointMotionJson: (text, joint) => ({ status: 'ok', text: `joint ${joint} of ${text}` }),
+    freeMotionJson: (text, motion) => ({ status: 'ok', text: `motion ${motion} of ${text}` }),
+    findSymmetriesJson: (text) => ({ status: 'ok', text }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',
   };

@@ -1,7 +1,10 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { Catalogue } from '../model/catalogue.ts';
 import type { SketchDocument } from '../model/sketch.ts';
+import { looksLikeMpd, readMpd } from '../share/read-mpd.ts';
+import { looksLikeObj, readObj } from '../share/read-obj.ts';
 import { type SolverClient, SolverError } from '../solver/client.ts';
-import { MAX_SKETCH_BYTES, readSketch } from '../state/read-sketch.ts';
+import { MAX_SKETCH_BYTES, readSketch, writeSketch } from '../state/read-sketch.ts';
 import { text } from '../ui/text.ts';
 
 export const MAX_FILE_BYTES = 32 * 2 ** 20;
@@ -12,10 +15,11 @@ export type OpenedFile =
   | { readonly kind: 'sketch'; readonly sketch: SketchDocument }
   | { readonly kind: 'model'; readonly json: string };
 
-/** Reads a file that a person chose: a sketch or a model. On failure one sentence. */
+/** Reads a file that a person chose: a sketch (.json, .obj) or a model (.json, .mpd). On failure one sentence. */
 export async function readOpenedFile(
   file: Pick<File, 'size' | 'text'>,
   client: SolverClient,
+  catalogue: Catalogue,
 ): Promise<Outcome<OpenedFile>> {
   if (file.size > MAX_FILE_BYTES) {
     return bad(text.files.tooLarge);
@@ -32,6 +36,10 @@ export async function readOpenedFile(
   if (looksLikeModel(content)) {
     return good({ kind: 'model', json: content });
   }
+  if (looksLikeMpd(content)) {
+    const model = readMpd(content, catalogue);
+    return model.ok ? good({ kind: 'model', json: model.value }) : model;
+  }
   const sketch = await checkedSketch(content, client);
   return sketch.ok ? good({ kind: 'sketch', sketch: sketch.value }) : sketch;
 }
@@ -46,6 +54,10 @@ async function checkedSketch(
   content: string,
   client: SolverClient,
 ): Promise<Outcome<SketchDocument>> {
+  if (looksLikeObj(content)) {
+    const drawn = readObj(content, '');
+    return drawn.ok ? checkedSketch(writeSketch(drawn.value), client) : drawn;
+  }
   const read = readSketch(content);
   if (content.length > MAX_SKETCH_BYTES) {
     return read;

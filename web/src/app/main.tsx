@@ -3,7 +3,7 @@ import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
 import { decodeShare } from '../share/codec.ts';
-import { createSolverClient } from '../solver/client.ts';
+import { createSolverPool } from '../solver/solver-pool.ts';
 import { SketchLibrary } from '../state/library.ts';
 import { keptPreferences, type TextStorage } from '../state/preferences.ts';
 import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/storage.ts';
@@ -164,7 +164,7 @@ async function openFirst(controller: PageController, saved: SavedSketch | null):
 async function start(): Promise<void> {
   const store = new SketchStore();
   const preferences = keptPreferences(textStorage('localStorage'));
-  const client = createSolverClient();
+  const client = createSolverPool();
   client.warmUp();
   const catalogue = readCatalogue(catalogueFile);
   const controller = new PageController({ store, preferences, catalogue, client });

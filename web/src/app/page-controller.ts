@@ -1,14 +1,13 @@
 import { effect, signal } from '@preact/signals';
 import type { MirrorPlane } from '../geometry/mirrors.ts';
 import { modelBounds } from '../model/bounds.ts';
-import { brickSetSettings } from '../model/brick-set.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
 import type { AxisName, Vec3 } from '../model/vec.ts';
+import type { SharedState } from '../share/codec.ts';
+import { linkedPreferences } from '../share/shared-state.ts';
 import type { SolverClient } from '../solver/client.ts';
-import type { SolveSettings } from '../solver/protocol.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
-import { type Preferences, parseAdvanced } from '../state/preferences.ts';
 import { readSketchValue } from '../state/read-sketch.ts';
 import { mendFault, type SketchFault } from '../state/sketch-faults.ts';
 import type { SavedSketch, SketchStore } from '../state/store.ts';
@@ -25,6 +24,7 @@ import { PageState } from './page-state.ts';
 import { SceneBridge } from './scene-bridge.ts';
 import { SketchShelf } from './sketch-shelf.ts';
 import { SolveRun } from './solve-run.ts';
+import { settingsOf } from './solve-settings.ts';
 import { Toaster } from './toasts.ts';
 
 interface ControllerOptions {
@@ -297,14 +297,14 @@ export class PageController implements Actions {
   // --- Links ------------------------------------------------------------------------------------
 
   /** A sketch that came from a link is checked like one from a file. */
-  openShared(state: { sketch: SketchDocument; preset: string; seed: number }): string | null {
+  openShared(state: SharedState): string | null {
     const sketch = readSketchValue(state.sketch);
     if (!sketch.ok) {
       return sketch.message;
     }
     const { preferences } = this.state;
     const preset = state.preset in text.settings.presets ? state.preset : preferences.value.preset;
-    preferences.value = { ...preferences.value, preset, seed: state.seed };
+    preferences.value = { ...preferences.value, ...linkedPreferences(state), preset };
     this.replaceSketch(sketch.value);
     return null;
   }
@@ -316,15 +316,4 @@ export class PageController implements Actions {
     }
     return tool;
   }
-}
-
-/** What the search is asked for. What stands under "advanced" wins over everything else. */
-export function settingsOf(preferences: Preferences): SolveSettings {
-  const { seed, preset, effort, off, advanced } = preferences;
-  const set = {
-    ...(effort === 1 ? {} : { effort }),
-    ...brickSetSettings(new Set(off)),
-    ...parseAdvanced(advanced),
-  };
-  return { seed, preset, set };
 }

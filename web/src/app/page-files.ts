@@ -2,6 +2,7 @@ import { SET_PARTS } from '../model/brick-set.ts';
 import { readPartsList } from '../model/parts-list.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
+import { sharedState } from '../share/shared-state.ts';
 import type { SolverClient } from '../solver/client.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
@@ -47,7 +48,8 @@ export class PageFiles {
     this.#context = context;
   }
 
-  readonly chooseFile = (): void => chooseOne('.json,application/json', this.openFile);
+  readonly chooseFile = (): void =>
+    chooseOne('.json,application/json,.mpd,.ldr,.obj', this.openFile);
 
   /** Reads a list of owned parts that a person chooses. */
   readonly importOwned = (): void => {
@@ -78,14 +80,14 @@ export class PageFiles {
   };
 
   async #open(file: File): Promise<void> {
-    const opened = await readOpenedFile(file, this.#context.client);
+    const opened = await readOpenedFile(file, this.#context.client, this.#context.state.catalogue);
     if (!opened.ok) {
       this.#refuse(file.name, opened.message);
       return;
     }
     if (opened.value.kind === 'sketch') {
       const { sketch } = opened.value;
-      const name = sketch.name || file.name.replace(/(\.sketch)?\.json$/i, '');
+      const name = sketch.name || file.name.replace(/(\.sketch)?\.(json|obj)$/i, '');
       this.#context.replaceSketch({ ...sketch, name });
       this.#context.toaster.info(fillWords(text.files.opened, { name }));
       return;

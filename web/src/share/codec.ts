@@ -1,5 +1,11 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
-import type { KeepOutBox, SketchDocument, SketchJoint, SketchLine } from '../model/sketch.ts';
+import type {
+  KeepOutBox,
+  SketchDocument,
+  SketchJoint,
+  SketchLine,
+  SketchSymmetry,
+} from '../model/sketch.ts';
 import type { AxisName, Vec3 } from '../model/vec.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
@@ -7,6 +13,19 @@ export interface SharedState {
   readonly sketch: SketchDocument;
   readonly preset: string;
   readonly seed: number;
+  /** What was changed from the usual settings; links of version 1 have none. */
+  readonly settings?: SharedSettings;
+}
+
+export interface SharedSettings {
+  /** How long to search, as a multiple of what is usual. */
+  readonly effort: number;
+  /** Parts that the search must not use. */
+  readonly off: readonly string[];
+  /** How many there are of each part. */
+  readonly owned: Readonly<Record<string, number>>;
+  /** Single options, one `key=value` a line. */
+  readonly advanced: string;
 }
 
 export const MAX_FRAGMENT = 60_000;
@@ -14,6 +33,8 @@ const MAX_INFLATED = 2_000_000;
 const MAX_LINES = 5000;
 const MAX_COORDINATE = 2000;
 const MAX_TEXT = 120;
+const MAX_PARTS = 200;
+const MAX_ADVANCED = 4000;
 const AXES: readonly AxisName[] = ['x', 'y', 'z'];
 const UNREADABLE = 'This link is damaged: a part of it is missing or changed.';
 
@@ -23,8 +44,11 @@ interface Version {
   readonly decode: (value: unknown) => SharedState | null;
 }
 
-const VERSIONS: Readonly<Record<string, Version>> = { '1': { encode: encodeV1, decode: decodeV1 } };
-const CURRENT = '1';
+const VERSIONS: Readonly<Record<string, Version>> = {
+  '1': { encode: encodeV1, decode: decodeV1 },
+  '2': { encode: encodeV2, decode: decodeV2 },
+};
+const CURRENT = '2';
 
 /** The address fragment, without `#`, for a state; a failure when the sketch is too large for a link. */
 export async function encodeShare(state: SharedState): Promise<Outcome<string>> {
@@ -106,6 +130,85 @@ function decodeV1(value: unknown): SharedState | null {
     seed: typeof seed === 'number' && Number.isInteger(seed) && seed >= 0 ? seed % 2 ** 31 : 1,
     preset: typeof preset === 'string' ? preset.slice(0, MAX_TEXT) : 'simple',
   };
+}
+
+// Version 2: version 1 with settings behind it, [effort, off, owned, advanced] or 0, and with symmetries
+// of both kinds: version 1 lost translations.
+
+function encodeV2(state: SharedState): unknown {
+  const { settings } = state;
+  const plain =
+    !settings ||
+    (settings.effort === 1 &&
+      settings.off.length === 0 &&
+      settings.advanced === '' &&
+      Object.keys(settings.owned).length === 0);
+  const extra = plain ? 0 : [settings.effort, settings.off, settings.owned, settings.advanced];
+  return [...(encodeV1(state) as unknown[]), extra];
+}
+
+function decodeV2(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 9) {
+    return null;
+  }
+  const state = decodeV1(value.slice(0, 7).concat([[]]));
+  const settings = decodeSettings(value[8]);
+  const count = state?.sketch.lines.length ?? 0;
+  const symmetries = mapAll(value[7], 64, (row) => decodeSymmetry(row, count));
+  if (!state || !symmetries || settings === null) {
+    return null;
+  }
+  const sketch = symmetries.length > 0 ? { ...state.sketch, symmetries } : state.sketch;
+  return { ...state, sketch, ...(settings ? { settings } : {}) };
+}
+
+/** @returns undefined for the usual settings, null for what is none. */
+function decodeSettings(value: unknown): SharedSettings | null | undefined {
+  if (value === 0) {
+    return undefined;
+  }
+  if (!Array.isArray(value) || value.length !== 4) {
+    return null;
+  }
+  const [effort, off, owned, advanced] = value as unknown[];
+  const parts = mapAll(off, MAX_PARTS, (id) => (isPartNumber(id) ? id : null));
+  const counts = decodeCounts(owned);
+  const known = typeof effort === 'number' && effort >= 0.01 && effort <= 100;
+  if (!known || !parts || !counts || typeof advanced !== 'string') {
+    return null;
+  }
+  return { effort, off: parts, owned: counts, advanced: advanced.slice(0, MAX_ADVANCED) };
+}
+
+function decodeCounts(value: unknown): Record<string, number> | null {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    return null;
+  }
+  const rows = Object.entries(value);
+  const good_ = rows.every(
+    ([id, count]) => isPartNumber(id) && Number.isInteger(count) && count >= 0 && count < 1e6,
+  );
+  return good_ && rows.length <= MAX_PARTS ? Object.fromEntries(rows) : null;
+}
+
+function isPartNumber(value: unknown): value is string {
+  return typeof value === 'string' && /^\w{1,20}$/.test(value);
+}
+
+function decodeSymmetry(row: unknown, count: number): SketchSymmetry | null {
+  if (typeof row !== 'object' || row === null) {
+    return null;
+  }
+  const { kind, vector, pairs } = row as Record<string, unknown>;
+  if (kind !== 'translation') {
+    return decodeReflection(row, count);
+  }
+  const shift = decodePoint(vector);
+  const read = mapAll(pairs, MAX_LINES, (pair) => {
+    const [a, b, ...more] = decodeIndices(pair, count) ?? [];
+    return a === undefined || b === undefined || more.length > 0 ? null : ([a, b] as const);
+  });
+  return shift && read ? { kind, vector: shift, pairs: read } : null;
 }
 
 function decodeLine(row: unknown): SketchLine | null {

@@ -54,7 +54,21 @@ export interface StressQuestion {
   readonly optionsJson: string;
 }
 
-export type Question = StressQuestion;
+/** How a model stands and moves. */
+export interface MotionQuestion {
+  readonly about: 'motion';
+  readonly modelJson: string;
+}
+
+/** Key poses of an annotated joint, or of one of the motions of the answer about motion. */
+export interface PathQuestion {
+  readonly about: 'path';
+  readonly modelJson: string;
+  readonly of: 'joint' | 'motion';
+  readonly index: number;
+}
+
+export type Question = StressQuestion | MotionQuestion | PathQuestion;
 
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */

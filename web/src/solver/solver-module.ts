@@ -46,6 +46,8 @@ export interface SolverModule {
   jointMotionJson(modelJson: string, joint: number): SolverReply;
   /** One of the motions of analyseMotionJson, as far as it goes. */
   freeMotionJson(modelJson: string, motion: number): SolverReply;
+  /** Symmetries that a sketch has but does not name, in the sketch's own format. */
+  findSymmetriesJson(sketchJson: string): SolverReply;
   exportModel(modelJson: string, format: string): SolverReply;
   contractJson(): string;
 }

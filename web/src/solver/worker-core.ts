@@ -93,7 +93,19 @@ export function createWorkerCore(loading: Promise<SolverModule>, host: WorkerHos
 }
 
 function answerTo(module: SolverModule, question: Question): SolverReply {
-  return module.analyseStressJson(question.modelJson, question.optionsJson);
+  const { modelJson } = question;
+  switch (question.about) {
+    case 'stress':
+      return module.analyseStressJson(modelJson, question.optionsJson);
+    case 'motion':
+      return module.analyseMotionJson(modelJson);
+    case 'path':
+      return question.of === 'joint'
+        ? module.jointMotionJson(modelJson, question.index)
+        : module.freeMotionJson(modelJson, question.index);
+    default:
+      return assertNever(question);
+  }
 }
 
 function textOf({ status, text }: { readonly status: string; readonly text: string }): string {

@@ -2,11 +2,13 @@ import catalogueFile from '../../../../core/parts/catalogue.json';
 import { readCatalogue } from '../../model/catalogue.ts';
 import type { SharedState } from '../../share/codec.ts';
 import { decodeShare } from '../../share/codec.ts';
+import { linkedPreferences } from '../../share/shared-state.ts';
 import { createSolverClient } from '../../solver/client.ts';
 import { readSketchValue, writeSketch } from '../../state/read-sketch.ts';
 import { chooseWords } from '../../ui/text/language.ts';
 import { SceneView } from '../../view/scene-view.ts';
 import { readModel } from '../read-model.ts';
+import { settingsOf } from '../solve-settings.ts';
 
 const WORDS = chooseWords(
   {
@@ -70,8 +72,8 @@ export async function showLink(host: HTMLElement, fragment: string): Promise<voi
 async function solve(view: SceneView, state: SharedState, status: HTMLElement): Promise<void> {
   status.textContent = WORDS.solving;
   const client = createSolverClient();
-  const { preset, seed } = state;
-  const result = await client.solve(writeSketch(state.sketch), { preset, seed });
+  const settings = settingsOf(linkedPreferences(state));
+  const result = await client.solve(writeSketch(state.sketch), settings);
   client.dispose();
   const model = result.outcome === 'solved' ? readModel(result.modelJson) : null;
   if (result.outcome !== 'solved' || !model?.ok) {

@@ -1,5 +1,8 @@
 import type { ComponentType } from 'preact';
 import type { Page, ShownModel } from '../page.ts';
+import { BALANCE_CHECK } from './balance.tsx';
+import { FREEDOMS_CHECK } from './freedoms.tsx';
+import { JOINTS_CHECK } from './joints.tsx';
 import { STRESS_CHECK } from './stress.tsx';
 
 /** How a check stands: met, not met, nothing to say, or still being computed. */
@@ -24,4 +27,9 @@ export interface CheckView {
 }
 
 /** All further checks, in the order of the panel; a new one is a row here. */
-export const CHECK_VIEWS: readonly CheckView[] = [STRESS_CHECK];
+export const CHECK_VIEWS: readonly CheckView[] = [
+  FREEDOMS_CHECK,
+  JOINTS_CHECK,
+  BALANCE_CHECK,
+  STRESS_CHECK,
+];

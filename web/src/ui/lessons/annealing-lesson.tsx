@@ -13,10 +13,10 @@ import { lessonWords } from './lesson-words.ts';
 import { Praise } from './praise.tsx';
 
 const words = lessonWords.annealing;
-const HOT = 6;
-const TRIES_PER_TICK = 40;
+const HOT = 15;
+const TRIES_PER_TICK = 120;
 const TICK_MS = 60;
-const COOLING = 0.975;
+const COOLING = 0.98;
 const COLOURS = ['#4477aa', '#ee6677', '#228833', '#ccbb44'] as const;
 const MAX_CHART = 300;
 
@@ -117,7 +117,7 @@ function ToyFigure({ layers }: { readonly layers: readonly number[] }) {
   const bars = [];
   const marks = [];
   for (let row = 0; row < rows; row++) {
-    const seam = 2 + (row % 2);
+    const seam = 3 + (row % 2);
     bars.push(
       <path key={`l${row}`} d={`M0 ${row}H${seam}`} stroke={colour(row)} class="toy-beam" />,
       <path
@@ -137,7 +137,7 @@ function ToyFigure({ layers }: { readonly layers: readonly number[] }) {
     }
   }
   return (
-    <svg class="lesson-figure" viewBox="-1 -1 7 7" role="img" aria-label={words.figure}>
+    <svg class="lesson-figure" viewBox="-1 -1 9 9" role="img" aria-label={words.figure}>
       {bars}
       {Array.from({ length: columns }, (_, column) => (
         <path

@@ -1,7 +1,7 @@
 // A toy of the search: beams on a grid choose layers. Rows are two beams that overlap in one hole,
 // columns are one beam. Where beams meet they must lie in neighbouring layers, and never in the same.
 
-export const TOY = { rows: 6, columns: 6, layers: 4 } as const;
+export const TOY = { rows: 8, columns: 8, layers: 4 } as const;
 
 /** Layers of the left halves, the right halves, and the columns. */
 export interface ToyState {
@@ -26,7 +26,7 @@ export const TOY_BEAMS = 2 * rows + columns;
 /** The beams over a crossing: one half or both halves of the row, and the column. */
 export function stackAt(row: number, column: number): number[] {
   // The halves overlap in another column in each row, as bricks in a wall do.
-  const seam = 2 + (row % 2);
+  const seam = 3 + (row % 2);
   const halves = [...(column <= seam ? [row] : []), ...(column >= seam ? [rows + row] : [])];
   return [...halves, 2 * rows + column];
 }
@@ -53,14 +53,31 @@ export function randomState(random: () => number): number[] {
   return Array.from({ length: TOY_BEAMS }, () => Math.floor(random() * layerCount));
 }
 
-/** One try: a beam goes to another layer, and stays there or not. @returns whether it stayed. */
+/** The crossings that each beam lies on, as row * columns + column. */
+const CROSSINGS: readonly (readonly number[])[] = Array.from({ length: TOY_BEAMS }, (_, beam) =>
+  Array.from({ length: rows * columns }, (_row, at) => at).filter((at) =>
+    stackAt(Math.floor(at / columns), at % columns).includes(beam),
+  ),
+);
+
+function troubleAround(layers: readonly number[], beam: number): number {
+  return (CROSSINGS[beam] ?? []).reduce(
+    (sum, at) => sum + troubleAt(layers, Math.floor(at / columns), at % columns),
+    0,
+  );
+}
+
+/**
+ * One try: a beam goes to another layer, and stays there or not. Without any heat only what is better
+ * stays. @returns whether it stayed.
+ */
 export function tryMove(layers: number[], temperature: number, random: () => number): boolean {
   const beam = Math.floor(random() * TOY_BEAMS);
   const old = layers[beam] ?? 0;
-  const before = troubleOf(layers);
+  const before = troubleAround(layers, beam);
   layers[beam] = (old + 1 + Math.floor(random() * (layerCount - 1))) % layerCount;
-  const worse = troubleOf(layers) - before;
-  if (worse <= 0 || (temperature > 0 && random() < Math.exp(-worse / temperature))) {
+  const worse = troubleAround(layers, beam) - before;
+  if (worse < 0 || (temperature > 0 && random() < Math.exp(-worse / temperature))) {
     return true;
   }
   layers[beam] = old;

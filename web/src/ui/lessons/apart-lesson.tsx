@@ -3,7 +3,7 @@ import { fillWords } from '../../tools/tool-words.ts';
 import { Segmented } from '../controls.tsx';
 import { lessonWords } from './lesson-words.ts';
 import { Praise } from './praise.tsx';
-import { FIGURE, PRESSABLE } from './svg-roles.ts';
+import { FIGURE, pressable } from './svg-roles.ts';
 import { ASSEMBLIES, blockerOf, DIRECTIONS, type Direction, type PartCells } from './take-apart.ts';
 
 const words = lessonWords.apart;
@@ -108,16 +108,7 @@ function PartShape(props: {
   return (
     <g
       class={`apart-part ${chosen ? 'chosen' : ''}`}
-      {...PRESSABLE}
-      aria-pressed={chosen}
-      aria-label={fillWords(words.part, { n: index + 1 })}
-      onClick={onPress}
-      onKeyDown={(event) => {
-        if (event.key === 'Enter' || event.key === ' ') {
-          event.preventDefault();
-          onPress();
-        }
-      }}
+      {...pressable(fillWords(words.part, { n: index + 1 }), onPress, chosen)}
     >
       {part.map(({ x, y }) => (
         <rect

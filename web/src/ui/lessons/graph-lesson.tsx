@@ -3,7 +3,7 @@ import { fillWords } from '../../tools/tool-words.ts';
 import { isBeam } from './grid-puzzle.ts';
 import { lessonWords as words } from './lesson-words.ts';
 import { Praise } from './praise.tsx';
-import { FIGURE, PRESSABLE } from './svg-roles.ts';
+import { FIGURE, pressable } from './svg-roles.ts';
 
 /** A triangle of 6, 8 and 10: ends in figure units, and edges. */
 const LINES = [
@@ -79,15 +79,7 @@ export function GraphLesson() {
                 cx={x}
                 cy={y}
                 r={0.19}
-                {...PRESSABLE}
-                aria-label={`${i + 1}/${node + 1}`}
-                onClick={() => press(i, node)}
-                onKeyDown={(event) => {
-                  if (event.key === 'Enter' || event.key === ' ') {
-                    event.preventDefault();
-                    press(i, node);
-                  }
-                }}
+                {...pressable(`${i + 1}/${node + 1}`, () => press(i, node))}
               />
             );
           }),

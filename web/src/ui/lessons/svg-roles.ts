@@ -1,6 +1,22 @@
 // What parts of a drawing are for screen readers and keys. SVG has no elements of its own for these.
 
 export const FIGURE = { role: 'group' } as const;
-export const PRESSABLE = { role: 'button', tabIndex: 0 } as const;
 /** A drawing that is worked with keys as a whole. */
 export const BOARD = { role: 'group', tabIndex: 0 } as const;
+
+/** What makes a part of a drawing a button. @param pressed for parts that stay chosen. */
+export function pressable(label: string, onPress: () => void, pressed?: boolean) {
+  return {
+    role: 'button',
+    tabIndex: 0,
+    'aria-label': label,
+    ...(pressed === undefined ? {} : { 'aria-pressed': pressed }),
+    onClick: onPress,
+    onKeyDown: (event: KeyboardEvent) => {
+      if (event.key === 'Enter' || event.key === ' ') {
+        event.preventDefault();
+        onPress();
+      }
+    },
+  } as const;
+}

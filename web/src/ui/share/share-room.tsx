@@ -1,5 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
 import { scale, type Vec3 } from '../../model/vec.ts';
+import { sharedState } from '../../share/shared-state.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import { usePage } from '../page-context.ts';
@@ -13,14 +14,14 @@ import './share.css';
 export function ShareRoom() {
   const page = usePage();
   const sketch = page.store.sketch.value;
-  const { preset, seed } = page.preferences.value;
+  const preferences = page.preferences.value;
   const [link, setLink] = useState<{ readonly url: string; readonly refusal: string }>({
     url: '',
     refusal: '',
   });
   useEffect(() => {
     let current = true;
-    linkTo({ sketch, preset, seed }, location.href)
+    linkTo(sharedState(sketch, preferences), location.href)
       .then((result) => {
         if (current) {
           setLink(
@@ -32,7 +33,7 @@ export function ShareRoom() {
     return () => {
       current = false;
     };
-  }, [sketch, preset, seed]);
+  }, [sketch, preferences]);
   const shown = page.shown.value;
   if (sketch.lines.length === 0 && !shown) {
     return <p class="share-empty">{shareWords.empty}</p>;

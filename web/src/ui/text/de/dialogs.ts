@@ -42,6 +42,8 @@ export const DIALOGS_DE: Words<typeof DIALOGS_EN> = {
     pointer: 'Zeiger',
     pointerRows: [
       ['Klick', 'Punkt setzen oder auswählen'],
+      ['Doppelklick', 'Kette von Linien auswählen'],
+      ['Ziehen mit Umschalt', 'Mit einem Rahmen auswählen'],
       ['Ziehen mit der rechten Taste', 'Ansicht drehen'],
       ['Ziehen mit der mittleren Taste', 'Ansicht verschieben'],
       ['Rad', 'Vergrößern und verkleinern'],

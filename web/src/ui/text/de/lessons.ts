@@ -27,7 +27,7 @@ export const LESSONS_DE: Words<typeof LESSONS_EN> = {
     annealing: [
       'Abkühlen zusehen und an der Temperatur drehen',
       'Das Programm ändert etwas zufällig. Wird es besser, behält es das. Wird es schlechter, behält es das manchmal: oft, solange es heiß ist, fast nie, wenn es kalt ist. So klettert es erst aus schlechten Lagen heraus und bleibt zuletzt in einer guten.',
-      'Fang heiß an und kühle langsam ab, bis keine Kreuzung rot ist. Versuche es dann von Anfang an kalt: Es bleibt stecken.',
+      'Fang heiß an und kühle langsam ab, bis keine Kreuzung rot ist. Versuche es dann ein paar Mal von Anfang an kalt: Oft bleibt es stecken.',
     ],
     folding: [
       'Warum klappt ein Viereck ein?',

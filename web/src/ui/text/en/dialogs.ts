@@ -41,6 +41,8 @@ export const DIALOGS_EN = {
     pointer: 'Pointer',
     pointerRows: [
       ['Click', 'Place a point, or select'],
+      ['Double click', 'Select a chain of lines'],
+      ['Drag with Shift', 'Select by a box'],
       ['Drag with the right button', 'Turn the view'],
       ['Drag with the middle button', 'Shift the view'],
       ['Wheel', 'Zoom'],

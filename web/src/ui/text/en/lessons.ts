@@ -26,7 +26,7 @@ export const LESSONS_EN = {
     annealing: [
       'Watch annealing, and turn the temperature',
       'The program changes one thing at random. If the result is better, it keeps it. If it is worse, it keeps it sometimes: often while hot, hardly ever when cold. So it climbs out of bad places first and settles in a good one at last.',
-      'Start hot, then cool down slowly until no crossing is red. Then try it cold from the beginning: it gets stuck.',
+      'Start hot, then cool down slowly until no crossing is red. Then try it cold from the beginning, a few times: it often gets stuck.',
     ],
     folding: [
       'Why does a square fold?',

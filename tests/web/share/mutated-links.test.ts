@@ -1,0 +1,82 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { decodeShare, encodeShare } from '../../../web/src/share/codec.ts';
+import { readSketchValue } from '../../../web/src/state/read-sketch.ts';
+
+const FIXTURES = new URL('./fixtures/', import.meta.url);
+const LINKS = readdirSync(FIXTURES).map((name) =>
+  readFileSync(new URL(name, FIXTURES), 'utf8').trim(),
+);
+const LETTERS = 'ABCxyz019-_.%#<"';
+const COUNT = 10_000;
+
+/** A seeded generator: the same damage every time. */
+function random(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 4294967296;
+  };
+}
+
+/** The checksum is put right, so that the damage reaches the inner layers. */
+function withSum(fragment: string): string {
+  const [head = '', packed = ''] = fragment.split('.');
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < packed.length; i++) {
+    hash = Math.imul(hash ^ packed.charCodeAt(i), 0x01000193);
+  }
+  return `${head}.${packed}.${(hash >>> 0).toString(36)}`;
+}
+
+function mutate(link: string, next: () => number): string {
+  const letters = [...link];
+  const times = 1 + Math.floor(next() * 3);
+  for (let i = 0; i < times; i++) {
+    const at = Math.floor(next() * letters.length);
+    const letter = LETTERS[Math.floor(next() * LETTERS.length)] ?? 'A';
+    letters.splice(at, next() < 0.5 ? 1 : 0, ...(next() < 0.7 ? [letter] : []));
+  }
+  return next() < 0.6 ? withSum(letters.join('')) : letters.join('');
+}
+
+it(`${COUNT} mutated links give a sentence, nothing, or a sketch that the page accepts or refuses`, async () => {
+  const next = random(1);
+  let refused = 0;
+  for (let i = 0; i < COUNT; i++) {
+    const read = await decodeShare(mutate(LINKS[i % LINKS.length] ?? '', next));
+    if (read?.ok) {
+      // What comes through is a plain document: its reader gives a value or a sentence.
+      expect(typeof readSketchValue(read.value.sketch).ok).toBe('boolean');
+    } else if (read) {
+      refused += 1;
+      expect(read.message).toMatch(/link/);
+    }
+  }
+  expect(refused).toBeGreaterThan(COUNT / 2);
+});
+
+it('text in a link that unpacks to other things than a sketch is refused', async () => {
+  for (const value of [
+    'null',
+    '[]',
+    '{"__proto__":{"x":1}}',
+    '[1,2,3,4,5,6,7,8,9]',
+    '"<script>"',
+  ]) {
+    const stream = new Blob([value]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+    const bytes = Buffer.from(await new Response(stream).arrayBuffer());
+    for (const version of [1, 2]) {
+      const read = await decodeShare(withSum(`s${version}.${bytes.toString('base64url')}.x`));
+      expect(read?.ok).toBe(false);
+    }
+  }
+});
+
+it('the airplane fits a link of 1,500 characters', async () => {
+  const file = new URL('../../../public/examples/airplane.sketch.json', import.meta.url);
+  const sketch = readSketchValue(JSON.parse(readFileSync(file, 'utf8')));
+  const link =
+    sketch.ok && (await encodeShare({ sketch: sketch.value, preset: 'simple', seed: 1 }));
+  expect(link && link.ok ? link.value.length : 9999).toBeLessThanOrEqual(1500);
+});

@@ -1,0 +1,16 @@
+import { brickSetSettings } from '../model/brick-set.ts';
+import type { SolveSettings } from '../solver/protocol.ts';
+import { type Preferences, parseAdvanced } from '../state/preferences.ts';
+
+/** What the search is asked for. What stands under "advanced" wins over everything else. */
+export function settingsOf(
+  preferences: Pick<Preferences, 'seed' | 'preset' | 'effort' | 'off' | 'advanced'>,
+): SolveSettings {
+  const { seed, preset, effort, off, advanced } = preferences;
+  const set = {
+    ...(effort === 1 ? {} : { effort }),
+    ...brickSetSettings(new Set(off)),
+    ...parseAdvanced(advanced),
+  };
+  return { seed, preset, set };
+}

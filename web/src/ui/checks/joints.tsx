@@ -1,0 +1,71 @@
+import { useState } from 'preact/hooks';
+import type { JointRange, MotionAnswer } from '../../model/motion.ts';
+import { formatNumber } from '../text/language.ts';
+import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
+import { MotionPlayer } from './motion-player.tsx';
+import { answerOf, motionStatus } from './motion-status.ts';
+import { motionStudyOf } from './motion-study.ts';
+import { motionWords as words } from './motion-words.ts';
+import './motion.css';
+
+/** Each joint of the sketch with its range; one of them can be turned. */
+export const JOINTS_CHECK: CheckView = {
+  id: 'joint-ranges',
+  title: words.joints,
+  status: motionStatus(statusOf),
+  component: JointsCheck,
+};
+
+function statusOf({ joints }: MotionAnswer): CheckStatus {
+  if (joints.length === 0) {
+    return { state: 'none', number: words.noJoints };
+  }
+  const turning = joints.filter((joint) => joint.turns).length;
+  const [only] = joints;
+  return {
+    state: turning === joints.length ? 'ok' : 'bad',
+    number: joints.length === 1 && only ? rangeText(only) : `${turning} / ${joints.length}`,
+  };
+}
+
+export function rangeText(range: JointRange): string {
+  if (!range.turns) {
+    return words.stiff;
+  }
+  return range.to - range.from >= 359
+    ? words.fullTurn
+    : words.range(formatNumber(range.from), formatNumber(range.to));
+}
+
+function JointsCheck({ shown }: CheckProps) {
+  const study = motionStudyOf(shown);
+  const answer = answerOf(shown);
+  const [open, setOpen] = useState(0);
+  if (!answer) {
+    return null;
+  }
+  if (answer.joints.length === 0) {
+    return <p class="quiet">{words.aboutNoJoints}</p>;
+  }
+  return (
+    <ul class="motion-list">
+      {answer.joints.map((joint) => (
+        <li key={joint.index}>
+          <button
+            type="button"
+            class="button"
+            aria-pressed={open === joint.index}
+            onClick={() => setOpen(joint.index)}
+          >
+            {words.joint(String(joint.index + 1))}
+          </button>{' '}
+          <span class="quiet">{rangeText(joint)}</span>
+          {joint.turns ? null : <p class="quiet">{joint.message}</p>}
+          {open === joint.index && joint.turns ? (
+            <MotionPlayer study={study} mover={{ of: 'joint', index: joint.index }} range={joint} />
+          ) : null}
+        </li>
+      ))}
+    </ul>
+  );
+}

@@ -1,0 +1,97 @@
+import { type ReadonlySignal, signal } from '@preact/signals';
+import {
+  type MotionAnswer,
+  type MotionPath,
+  readMotionAnswer,
+  readMotionPath,
+} from '../../model/motion.ts';
+import type { SolverClient } from '../../solver/client.ts';
+import { roomSolver } from '../share/room-solver.ts';
+
+/** What is moved: an annotated joint, or one of the free motions. */
+export interface Mover {
+  readonly of: 'joint' | 'motion';
+  readonly index: number;
+}
+
+export type MotionProgress =
+  | { readonly state: 'waiting' }
+  | { readonly state: 'done'; readonly answer: MotionAnswer }
+  | { readonly state: 'failed'; readonly message: string };
+
+type Asker = Pick<SolverClient, 'ask'>;
+
+/** How one model stands and moves; asked once, and each motion once. */
+export class MotionStudy {
+  readonly #json: string;
+  readonly #solver: () => Asker;
+  readonly #progress = signal<MotionProgress>({ state: 'waiting' });
+  readonly #paths = new Map<string, Promise<MotionPath>>();
+  #started = false;
+
+  constructor(modelJson: string, solver: () => Asker = roomSolver) {
+    this.#json = modelJson;
+    this.#solver = solver;
+  }
+
+  get progress(): ReadonlySignal<MotionProgress> {
+    return this.#progress;
+  }
+
+  /** Asks for the first time; later calls do nothing. */
+  start(): void {
+    if (!this.#started) {
+      this.#started = true;
+      void this.#ask();
+    }
+  }
+
+  /** Key poses of a motion. Rejects when they cannot be computed. */
+  path(mover: Mover): Promise<MotionPath> {
+    const key = `${mover.of} ${mover.index}`;
+    const known = this.#paths.get(key);
+    if (known !== undefined) {
+      return known;
+    }
+    const asked = this.#askPath(mover);
+    this.#paths.set(key, asked);
+    return asked;
+  }
+
+  async #askPath(mover: Mover): Promise<MotionPath> {
+    const reply = await this.#solver().ask({ about: 'path', modelJson: this.#json, ...mover });
+    if (reply.outcome !== 'ok') {
+      throw new Error(reply.message);
+    }
+    return readMotionPath(reply.text);
+  }
+
+  async #ask(): Promise<void> {
+    try {
+      const reply = await this.#solver().ask({ about: 'motion', modelJson: this.#json });
+      this.#progress.value =
+        reply.outcome === 'ok'
+          ? { state: 'done', answer: readMotionAnswer(reply.text) }
+          : { state: 'failed', message: reply.message };
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#progress.value = { state: 'failed', message };
+    }
+  }
+}
+
+const studies = new WeakMap<object, MotionStudy>();
+
+/** The study of a model on screen; made when it is first asked for. */
+export function motionStudyOf(shown: {
+  readonly json: string;
+  readonly model: object;
+}): MotionStudy {
+  const known = studies.get(shown.model);
+  if (known) {
+    return known;
+  }
+  const made = new MotionStudy(shown.json);
+  studies.set(shown.model, made);
+  return made;
+}
