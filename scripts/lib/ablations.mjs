@@ -49,24 +49,6 @@ export const ABLATIONS = [
     about: 'violations that stay do not gain weight.',
   },
   {
-    key: 'walls',
-    title: 'walls of layer changes',
-    set: ['search.walls=0'],
-    about: 'the first layout lays one run after the other, each where it is cheapest.',
-  },
-  {
-    key: 'mirrors',
-    title: 'mirror moves',
-    set: ['search.mirrors=0'],
-    about: 'no move mirrors the layers of a run and lets what crosses it follow.',
-  },
-  {
-    key: 'costly',
-    title: 'costly runs first',
-    set: ['search.costly=0'],
-    about: 'runs with more beams than they need are not picked more often.',
-  },
-  {
     key: 'starts',
     title: 'many starts',
     set: ['starts=1'],
