@@ -118,6 +118,9 @@ class Search {
         continue;
       }
       if (hole == nullptr) {
+        if (cell.mustHold) {
+          return;
+        }
         candidate.cost += kDanglingCost;
         continue;
       }

@@ -6,7 +6,7 @@ namespace liftarm::layout {
 
 namespace {
 
-constexpr int kMostInStack = 3;  // one pin of three modules holds no more
+constexpr int kMostInStack = 4;  // an axle of five modules, with stop and bush, holds no more
 
 }  // namespace
 

@@ -50,6 +50,20 @@ void sortHeadsFirst(std::vector<MechanismCell>* cells) {
   });
 }
 
+//! A collar at the end of an axle stops what is on it; those of pins are in the pin's own shape.
+void markCollar(const parts::Prism& collar, Vec3 origin, Mechanism* mechanism) {
+  for (MechanismCell& cell : mechanism->cells) {
+    const Vec3 outward = collar.from - origin - lattice::toVec3(cell.at);
+    const double along = lattice::dot(outward, lattice::unitVector(cell.axis));
+    const bool onAxis =
+        lattice::length(outward - along * lattice::unitVector(cell.axis)) < kOnLattice;
+    if (cell.head && cell.kind == FeatureKind::kAxle && onAxis && std::abs(along) < 0.5) {
+      cell.collar = Cell{};
+      cell.collar[lattice::index(cell.axis)] = along < 0.0 ? -1 : 1;
+    }
+  }
+}
+
 //! The part as a mechanism of one, its first slot at the origin; empty when it is not on the
 //! lattice.
 std::optional<Mechanism> fromPart(const parts::Part& part) {
@@ -68,6 +82,9 @@ std::optional<Mechanism> fromPart(const parts::Part& part) {
       const bool male = parts::isMale(feature.kind);
       mechanism.cells.push_back({*at, male, *axis, !male, feature.kind});
     }
+  }
+  for (const parts::Prism& prism : part.collars) {
+    markCollar(prism, origin, &mechanism);
   }
   for (const parts::Prism& prism : part.solid) {
     // Every whole cell on the prism's middle line is body, unless a hole stands there already.
@@ -114,6 +131,8 @@ std::optional<Mechanism> joined(const Mechanism& base, const Mechanism& added, C
     if (!fits(*meeting, cell) && !fits(cell, *meeting)) {
       return std::nullopt;
     }
+    const bool axle = meeting->kind == FeatureKind::kAxle || cell.kind == FeatureKind::kAxle;
+    meeting->stopped = meeting->stopped || axle;
     meeting->head = false;
     meeting->openHole = false;
     ++joints;
@@ -148,7 +167,8 @@ ShapeKey keyOf(const Mechanism& mechanism) {
     const int role = cell.head ? 1 + static_cast<int>(cell.kind)
                                : (cell.openHole ? 10 + static_cast<int>(cell.kind) : 0);
     const int axis = role == 0 ? 0 : lattice::index(cell.axis);
-    key.emplace_back(at.x, at.y, at.z, role, axis);
+    const int end = cell.collar.x + cell.collar.y + cell.collar.z;  // one of them, 1 or -1, or none
+    key.emplace_back(at.x, at.y, at.z, role, axis + 3 * (end + 1));
   }
   std::sort(key.begin(), key.end());
   return key;
@@ -163,6 +183,50 @@ ShapeKey canonicalKey(const Mechanism& mechanism) {
     }
   }
   return best;
+}
+
+//! Whether something stops what is on the axle at this cell from sliding to this side.
+bool stoppedTowards(const Mechanism& mechanism, const MechanismCell& from, int side) {
+  Cell step{};
+  step[lattice::index(from.axis)] = side;
+  const MechanismCell* cell = &from;
+  for (;;) {
+    if (cell->collar == step) {
+      return true;
+    }
+    const Cell next = cell->at + step;
+    const auto found = std::find_if(mechanism.cells.begin(),
+                                    mechanism.cells.end(),
+                                    [&](const MechanismCell& c) { return c.at == next; });
+    if (found == mechanism.cells.end() || found->axis != from.axis) {
+      return false;
+    }
+    if (!found->head) {
+      return found->stopped;
+    }
+    if (found->kind != FeatureKind::kAxle) {
+      return false;
+    }
+    cell = &*found;
+  }
+}
+
+//! Heads of axles as beams see them: between stops they hold like pins, elsewhere they are in the
+//! way.
+Mechanism withAxlesHeld(Mechanism mechanism) {
+  const Mechanism before = mechanism;
+  for (std::size_t i = 0; i < before.cells.size(); ++i) {
+    const MechanismCell& cell = before.cells[i];
+    if (!cell.head || cell.kind != FeatureKind::kAxle) {
+      continue;
+    }
+    const bool held = stoppedTowards(before, cell, -1) && stoppedTowards(before, cell, 1);
+    mechanism.cells[i].head = held;
+    mechanism.cells[i].mustHold = held;
+    mechanism.cells[i].kind = held ? FeatureKind::kPin : FeatureKind::kAxle;
+  }
+  sortHeadsFirst(&mechanism.cells);
+  return mechanism;
 }
 
 bool usable(const Mechanism& mechanism) {
@@ -248,6 +312,7 @@ Mechanism rotated(const Mechanism& mechanism, const Mat3& rotation) {
   for (MechanismCell& cell : result.cells) {
     cell.at = turned(rotation, cell.at);
     cell.axis = turned(rotation, cell.axis);
+    cell.collar = turned(rotation, cell.collar);
   }
   for (MechanismPart& part : result.parts) {
     part.pose.position = rotation * part.pose.position;
@@ -286,6 +351,7 @@ std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
     }
     levelBegin = levelEnd;
   }
+  std::transform(all.begin(), all.end(), all.begin(), withAxlesHeld);
   std::vector<Mechanism> useful;
   std::copy_if(all.begin(), all.end(), std::back_inserter(useful), usable);
   std::stable_sort(useful.begin(), useful.end(), [](const Mechanism& a, const Mechanism& b) {

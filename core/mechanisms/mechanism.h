@@ -16,6 +16,9 @@ struct MechanismCell {
   lattice::Axis axis = lattice::Axis::kX;  //!< heads: the pin's axis; bodies with a hole: its axis
   bool openHole = false;                   //!< body with a hole that nothing fills yet
   parts::FeatureKind kind = parts::FeatureKind::kPin;
+  bool mustHold = false;  //!< heads between stops: only when all of them hold a beam
+  bool stopped = false;   //!< body that an axle sits in: what is next to it on the axle cannot pass
+  lattice::Cell collar{};  //!< heads: side on which a collar ends the axle, a unit cell; else 0
 };
 
 //! \brief One real part of a mechanism, relative to its origin.
@@ -44,9 +47,9 @@ struct CompositionOptions {
 };
 
 //! \brief All assemblies of up to maxParts connecting parts with at least two free heads, all of
-//! them pin heads, one for each shape up to rotation; of two with the same heads only the one whose
-//! body is not contained in the other's stays (paper 4.1 by program instead of by study; FINDINGS
-//! 1).
+//! them pin heads or heads of an axle between stops (its collar, or parts with an axle hole), one
+//! for each shape up to rotation; of two with the same heads only the one whose body is not
+//! contained in the other's stays (paper 4.1 by program instead of by study; FINDINGS 1).
 std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
                                          const CompositionOptions& options);
 
