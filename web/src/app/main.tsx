@@ -157,6 +157,7 @@ async function openFirst(controller: PageController, saved: SavedSketch | null):
     turnUntilTouched(scene);
     const sketch = { ...first.sketch, name: first.title };
     controller.shelf.leave(sketch);
+    state.came.value = sketch;
     controller.begin({ sketch, history: { past: [], future: [] } });
   }
 }

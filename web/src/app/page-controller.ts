@@ -172,6 +172,7 @@ export class PageController implements Actions {
   readonly newSketch = (): void => {
     this.state.dialog.value = null;
     this.shelf.leave(emptySketch());
+    this.state.came.value = null;
     this.run.clear();
     this.edit(text.edits.clear, emptySketch());
     this.useTool('line');
@@ -208,13 +209,16 @@ export class PageController implements Actions {
     this.state.focusedProblem.value = null;
     this.#opened = sketch;
     this.shelf.leave(sketch);
+    this.state.came.value = null;
     this.edit(text.edits.open, sketch);
     this.useTool('select');
     this.fit();
   }
 
   readonly openExample = (example: Example): void => {
-    this.replaceSketch({ ...example.sketch, name: example.title });
+    const sketch = { ...example.sketch, name: example.title };
+    this.replaceSketch(sketch);
+    this.state.came.value = sketch;
     this.generate();
   };
 

@@ -56,6 +56,8 @@ export class PageState {
   readonly faults = signal<readonly SketchFault[]>([]);
   readonly mirrors = signal<readonly MirrorPlane[]>([]);
   readonly proposedMirror = signal<MirrorPlane | null>(null);
+  /** The sketch as it came, by an example or a link; null for one's own. */
+  readonly came = signal<SketchDocument | null>(null);
   readonly panelOpen = signal(false);
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
@@ -66,6 +68,8 @@ export class PageState {
 
   readonly result: ReadonlySignal<ResultState | null>;
   readonly stale: ReadonlySignal<boolean>;
+  /** Somebody else's sketch is on the page, and nothing was changed in it. */
+  readonly lookedAt: ReadonlySignal<boolean>;
   /** Parts of the model that the sketch has left behind: none, some, or all. */
   readonly unfit: ReadonlySignal<boolean | ReadonlySet<number>>;
   readonly small: ReadonlySignal<boolean>;
@@ -100,6 +104,9 @@ export class PageState {
       return sketch ? searchText(sketch) : null;
     });
     this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    this.lookedAt = computed(
+      () => this.came.value !== null && this.came.value === store.sketch.value,
+    );
     this.unfit = computed(() => {
       const model = shown.value;
       return this.stale.value && model?.sketch

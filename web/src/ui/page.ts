@@ -141,6 +141,8 @@ export interface Page {
   readonly dialog: Signal<DialogName>;
   readonly toasts: ReadonlySignal<readonly Toast[]>;
   readonly announcement: ReadonlySignal<string>;
+  /** Somebody else's sketch is on the page, and nothing was changed in it. */
+  readonly lookedAt: ReadonlySignal<boolean>;
   /** What cannot be built as drawn. */
   readonly faults: ReadonlySignal<readonly SketchFault[]>;
   /** Planes that mirror the sketch onto itself. */
