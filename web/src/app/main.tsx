@@ -89,6 +89,7 @@ function pageOf(controller: PageController): Page {
     focusProblem: controller.focusProblem,
     importOwned: controller.files.importOwned,
     partPicture: (id) => thumbnails.picture(id),
+    toggleKind: controller.toggleKind,
     cutAlong: controller.cutAlong,
     showPlace: controller.showPlace,
     showLayout: controller.showLayout,

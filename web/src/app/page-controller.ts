@@ -14,7 +14,7 @@ import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
-import type { Example, LayoutSnapshot } from '../ui/page.ts';
+import type { Example, LayoutSnapshot, PartKind } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
@@ -271,6 +271,15 @@ export class PageController implements Actions {
     if (right !== 0 || up !== 0) {
       view?.turn(right, up);
     }
+  };
+
+  readonly toggleKind = (kind: PartKind): void => {
+    const { isolation } = this.state;
+    const parts = new Set(this.state.partsOf(kind));
+    const same =
+      isolation.value?.parts.size === parts.size &&
+      [...parts].every((index) => isolation.value?.parts.has(index));
+    isolation.value = same ? null : { parts, others: 'ghost' };
   };
 
   readonly setView = (view: StandardView): void => {

@@ -13,6 +13,7 @@ import type { PlaneMode, Tool } from '../tools/tool.ts';
 import type {
   DialogName,
   Example,
+  PartKind,
   PartRow,
   PointerTaker,
   ResultState,
@@ -62,6 +63,8 @@ export class PageState {
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
   readonly hoveredPartIndex = signal<number | null>(null);
+  /** The line of the parts list that is pointed at. */
+  readonly listedPart = signal<PartKind | null>(null);
   /** The brick that was clicked, by index. */
   readonly pickedPart = signal<number | null>(null);
   readonly systemDark = signal(false);
@@ -139,11 +142,22 @@ export class PageState {
       const picked = this.pickedPart.value;
       return {
         hovered: this.hoveredPartIndex.value,
-        selected: new Set(picked === null ? [] : [picked]),
+        selected: new Set([
+          ...(picked === null ? [] : [picked]),
+          ...this.partsOf(this.listedPart.value),
+        ]),
         errors: new Set(problem?.parts ?? []),
       };
     });
   }
+  /** Indices of all parts of a kind in the model on screen. */
+  partsOf(kind: PartKind | null): number[] {
+    const parts = kind ? (this.shown.value?.model.parts ?? []) : [];
+    return parts.flatMap((part, i) =>
+      part.part === kind?.part && part.color === kind.color ? [i] : [],
+    );
+  }
+
   /** Part indices mean nothing for another model. */
   forgetParts(): void {
     this.display.value = null;
@@ -151,6 +165,7 @@ export class PageState {
     this.focusedProblem.value = null;
     this.hoveredPartIndex.value = null;
     this.pickedPart.value = null;
+    this.listedPart.value = null;
   }
 }
 

@@ -42,6 +42,9 @@ export interface SolveState {
   readonly message: string;
 }
 
+/** A part number in one colour. */
+export type PartKind = Pick<PartCount, 'part' | 'color'>;
+
 /** A part of the parts list with what is needed to show it. */
 export interface PartRow extends PartCount {
   readonly name: string;
@@ -154,6 +157,10 @@ export interface Page {
   readonly webglMissing: ReadonlySignal<boolean>;
   readonly focusedProblem: ReadonlySignal<number | null>;
   readonly hoveredPart: ReadonlySignal<string | null>;
+  /** The line of the parts list that is pointed at. */
+  readonly listedPart: Signal<PartKind | null>;
+  /** Shows the parts of a kind alone, or all again. */
+  toggleKind(kind: PartKind): void;
   /** The brick that was clicked, by index. */
   readonly pickedPart: Signal<number | null>;
   readonly mac: boolean;
