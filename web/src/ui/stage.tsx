@@ -23,8 +23,8 @@ export function Stage() {
       <SelectionBox />
       <div class="stage-top">
         <ToolOptions />
-        <Hint />
         <Invitation />
+        <Hint />
       </div>
       <PartCard />
       <ViewBar />
