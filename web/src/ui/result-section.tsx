@@ -121,11 +121,7 @@ function TimeAndMass({ result }: { readonly result: ResultState }) {
       {size ? (
         <div class="span">
           <dt>{text.result.size}</dt>
-          <dd>
-            {size
-              .map((value) => formatNumber(Math.round(value * 10) / 10, value % 1 === 0 ? 0 : 1))
-              .join(' × ')}
-          </dd>
+          <dd>{size.map(sizeText).join(' × ')}</dd>
         </div>
       ) : null}
     </>
@@ -160,4 +156,10 @@ function Problems({ problems }: { readonly problems: readonly Problem[] }) {
       {more > 0 ? <p class="quiet">{fillWords(text.result.more, { n: more })}</p> : null}
     </div>
   );
+}
+
+/** Modules to one decimal, where there is one. */
+function sizeText(value: number): string {
+  const rounded = Math.round(value * 10) / 10;
+  return formatNumber(rounded, Number.isInteger(rounded) ? 0 : 1);
 }
