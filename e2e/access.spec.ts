@@ -49,7 +49,7 @@ test('the page speaks German to those who ask for it', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible();
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');
   await page.keyboard.press('Control+k');
-  await page.getByRole('combobox').fill('sprache english');
+  await page.locator('.palette-input').fill('sprache english');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });

@@ -1,23 +1,64 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { expect, test } from '@playwright/test';
 
-const ASSETS = resolve(import.meta.dirname, '../dist/assets');
+const DIST = resolve(import.meta.dirname, '..', process.env['LIFTARM_DIST'] ?? 'dist');
 
-/** Kilobytes that a visitor loads for one kind of file, compressed as static hosts do. */
-function compressedKilobytes(ending: string): number {
-  return readdirSync(ASSETS)
-    .filter((name) => name.endsWith(ending))
-    .map((name) => gzipSync(readFileSync(join(ASSETS, name))).length / 1000)
-    .reduce((sum, size) => sum + size, 0);
+function kilobytes(file: string): number {
+  return gzipSync(readFileSync(join(DIST, file))).length / 1000;
+}
+
+/** The files that the service worker fetches together: all that drawing and generating need. */
+function coreFiles(): string[] {
+  const worker = readFileSync(join(DIST, 'sw.js'), 'utf8');
+  const list = /const CORE_FILES = \[([^\]]*)\]/.exec(worker)?.[1] ?? '';
+  return [...list.matchAll(/'\.\/([^']+)'/g)].flatMap((match) => match[1] ?? []);
+}
+
+function sum(files: readonly string[]): number {
+  return files.reduce((total, file) => total + kilobytes(file), 0);
 }
 
 // Somewhat above what there is: a new dependency or a careless include must show.
-test('scripts stay within their budget', () => {
-  expect(compressedKilobytes('.js')).toBeLessThan(350);
+test('the first load stays under 1 MB, compressed', () => {
+  const files = coreFiles();
+  expect(files.length).toBeGreaterThan(10);
+  expect(files.filter((file) => !existsSync(join(DIST, file)))).toEqual([]);
+  expect(sum(files)).toBeLessThan(1000);
+});
+
+test('scripts at the start stay within their budget', () => {
+  expect(sum(coreFiles().filter((file) => file.endsWith('.js')))).toBeLessThan(420);
+});
+
+test('rooms are loaded on demand', () => {
+  const late = readdirSync(join(DIST, 'assets')).filter((name) =>
+    /^(make-pdf|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(name),
+  );
+  expect(late.length).toBeGreaterThanOrEqual(5);
+  const core = new Set(coreFiles());
+  expect(late.filter((name) => core.has(`assets/${name}`))).toEqual([]);
 });
 
 test('the WebAssembly module stays within its budget', () => {
-  expect(compressedKilobytes('.wasm')).toBeLessThan(350);
+  const modules = readdirSync(join(DIST, 'assets')).filter((name) => name.endsWith('.wasm'));
+  expect(sum(modules.map((name) => `assets/${name}`))).toBeLessThan(480);
+});
+
+test('nothing jumps while the page begins', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.assign(globalThis, { shift: 0 });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries() as (PerformanceEntry & { value: number })[]) {
+        Object.assign(globalThis, {
+          shift: (globalThis as unknown as { shift: number }).shift + entry.value,
+        });
+      }
+    }).observe({ type: 'layout-shift', buffered: true });
+  });
+  await page.goto('./');
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 90_000 });
+  const shift = await page.evaluate(() => (globalThis as unknown as { shift: number }).shift);
+  expect(shift).toBeLessThan(0.1);
 });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -25,9 +26,11 @@ constexpr double kShift = 1e-12;
 // Motions that nothing resists come out at 1e-14 and less; the softest real frames at 1e-8 and
 // more.
 constexpr double kSingular = 1e-11;
-constexpr int kPowerSteps = 6;
+// A motion that nothing resists grows 1e12-fold in a step, any other 1e9-fold at most.
+constexpr int kPowerSteps = 3;
 constexpr int kRefinements = 8;
 constexpr double kResidual = 1e-13;
+constexpr double kWorthwhile = 0.25;  // a refinement that leaves more of the residual is the last
 
 Triplets elementTriplets(const Frame& frame) {
   using Matrix12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
@@ -110,9 +113,6 @@ void FrameSolver::State::findLeast() {
     mode = factor.solve(mode);
     mode.normalize();
     least = std::min(least, std::abs(mode.dot(times(mode))));
-    if (least > 1e4 * kSingular && step > 2) {
-      break;
-    }
   }
 }
 
@@ -186,12 +186,15 @@ std::vector<Six> FrameSolver::solve(const std::vector<Six>& loads) const {
     right(i) = loads[static_cast<std::size_t>(i / 6)][static_cast<std::size_t>(i % 6)] * s.scale(i);
   }
   Eigen::VectorXd x = s.factor.solve(right);
-  for (int step = 0; step < kRefinements; ++step) {
-    const Eigen::VectorXd rest = right - s.times(x);
-    if (rest.norm() <= kResidual * right.norm()) {
+  Eigen::VectorXd rest = right - s.times(x);
+  double residual = rest.norm();
+  for (int step = 0; step < kRefinements && residual > kResidual * right.norm(); ++step) {
+    x += s.factor.solve(rest);
+    rest = right - s.times(x);
+    const double before = std::exchange(residual, rest.norm());
+    if (residual > kWorthwhile * before) {
       break;
     }
-    x += s.factor.solve(rest);
   }
   std::vector<Six> result(loads.size());
   for (Eigen::Index i = 0; i < size; ++i) {

@@ -157,10 +157,14 @@ bool Sweep::passesNot(const Solid& head, const Body& other, const Solid& wall, c
 
 bool Sweep::solidsMeet(
     const Body& mover, const Solid& s, const Body& fixed, const Solid& t, const Path& path) {
-  if (s.kind != Kind::kBody && t.kind == Kind::kBody && parallel(s.prism.axis, path.direction)) {
+  // The necks of a connector reach into its own holes: they are walls for heads as its body is.
+  const auto isWall = [](const Solid& head, const Solid& other) {
+    return other.kind == Kind::kBody || (other.kind == Kind::kCollar && head.kind == Kind::kHead);
+  };
+  if (s.kind != Kind::kBody && isWall(s, t) && parallel(s.prism.axis, path.direction)) {
     return passesNot(s, fixed, t, path);
   }
-  if (t.kind != Kind::kBody && s.kind == Kind::kBody && parallel(t.prism.axis, path.direction)) {
+  if (t.kind != Kind::kBody && isWall(t, s) && parallel(t.prism.axis, path.direction)) {
     return passesNot(t, mover, s, reversed(path));
   }
   const double teeth = mover.gear && fixed.gear ? 2 * kAddendum : 0.0;
@@ -187,7 +191,8 @@ bool Sweep::overlapInPlace(int a, int b) const {
   for (const Solid& s : first.solids) {
     for (const Solid& t : second.solids) {
       // Not a move, but a way along the head's axis: in its hole it meets nothing.
-      const Path stay{s.kind != Kind::kBody ? s.prism.axis : t.prism.axis, 0.0, {}};
+      const Path stay{
+          s.kind == Kind::kHead || t.kind == Kind::kBody ? s.prism.axis : t.prism.axis, 0.0, {}};
       if (meet(s.box, t.box, kPenetration) && solidsMeet(first, s, second, t, stay)) {
         return true;
       }

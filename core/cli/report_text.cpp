@@ -37,6 +37,35 @@ std::string textOf(const ordered_json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+//! How the model stands and moves: numbers in a search's report, objects in a check's.
+std::string motionText(const ordered_json& report) {
+  std::string text;
+  if (report.contains("freedoms")) {
+    const ordered_json& freedoms = report.at("freedoms");
+    const bool detailed = freedoms.is_object();
+    text += "  freedoms: " + (detailed ? freedoms.at("free") : freedoms).dump();
+    if (detailed || report.contains("freedomsHeld")) {
+      text += " (" + (detailed ? freedoms.at("held") : report.at("freedomsHeld")).dump() +
+              " with friction)";
+    }
+    text += "\n";
+  }
+  for (const ordered_json& joint : report.value("joints", ordered_json::array())) {
+    text += "  joint " + joint.at("index").dump() + ": " + joint.value("message", "") + "\n";
+  }
+  const bool judged = report.contains("balance") && report.at("balance").is_object();
+  if (judged || report.contains("balanced")) {
+    const bool stands =
+        judged ? report.at("balance").value("stable", false) : report.at("balanced").get<bool>();
+    text += std::string("  balance: ") + (stands ? "stands" : "falls over");
+    if (judged && stands) {
+      text += ", up to a slope of " + report.at("balance").at("tippingAngle").dump() + " degrees";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 std::string itemsText(const ordered_json& items) {
   std::string text;
   for (const ordered_json& item : items) {
@@ -67,6 +96,7 @@ std::string reportText(const ordered_json& report) {
       text += "  " + std::string(row.label) + ": " + textOf(report.at(row.key)) + row.unit + "\n";
     }
   }
+  text += motionText(report);
   if (report.contains("seconds")) {
     text += "  seconds: " + report.at("seconds").at("total").dump() + "\n";
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -13,8 +14,8 @@ using analysis::Scene;
 using lattice::Vec3;
 using parts::Prism;
 
-constexpr double kTouch = 0.06;   // modules: rounded edges and play
-constexpr double kMargin = 1e-6;  // a centre right over the edge stands
+constexpr double kTouch = 0.06;  // modules: rounded edges and play
+constexpr double kMargin = 0.1;  // modules inside the edge, so that a rounded end does not stand
 
 struct Point {
   double x = 0.0;
@@ -50,7 +51,10 @@ bool inside(Point p, const std::vector<Point>& hull) {
     return false;
   }
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    if (turn(hull[i], hull[(i + 1) % hull.size()], p) < -kMargin) {
+    const Point a = hull[i];
+    const Point b = hull[(i + 1) % hull.size()];
+    const double edge = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+    if (turn(a, b, p) < kMargin * edge) {
       return false;
     }
   }

@@ -8,8 +8,8 @@ namespace liftarm::instructions {
 
 //! \brief Whether connected parts stand on a table by themselves, by their weight alone.
 //! \details Their centre of mass (part masses at the middles of their bounds) lies over the convex
-//! hull of what touches the table. \param up Unit vector; the table is where the parts reach
-//! furthest against it.
+//! hull of what touches the table, a tenth of a module inside. \param up Unit vector; the table is
+//! where the parts reach furthest against it.
 bool standsOn(const analysis::Scene& scene, const std::vector<int>& parts, lattice::Vec3 up);
 
 //! \brief The same for parts that may be several connected sets: each stands by itself, and all

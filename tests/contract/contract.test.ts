@@ -117,3 +117,13 @@ test('a text that is no model is refused by check and export', () => {
   expect(module.checkModelJson('{}').status).toBe('invalidInput');
   expect(module.exportModel('nonsense', 'mpd').status).toBe('invalidInput');
 });
+
+test('a cube has symmetries to offer that it does not name, and its own file still reads with them', () => {
+  const { status, text } = module.findSymmetriesJson(exampleText('cube'));
+  expect(status).toBe('ok');
+  const { symmetries } = JSON.parse(text) as { symmetries: { kind: string }[] };
+  const named = symmetries.filter(({ kind }) => kind !== 'rotation');
+  expect(named.length).toBeGreaterThan(0);
+  const sketch = { ...JSON.parse(exampleText('cube')), symmetries: named };
+  expect(module.findSymmetriesJson(JSON.stringify(sketch)).status).toBe('ok');
+});

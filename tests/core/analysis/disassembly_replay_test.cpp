@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/disassembly.h"
+#include "analysis/disassembly_state.h"
 #include "core/helpers/models.h"
 #include "core/helpers/replay.h"
 #include "core/helpers/shared_data.h"
@@ -63,10 +64,29 @@ std::vector<std::string> replayed(const model::Model& model, const DisassemblyPl
   return found;
 }
 
+//! Whether parts hang together by heads in holes.
+bool hangTogether(const Scene& scene, const std::vector<int>& parts) {
+  const std::vector<std::vector<int>> neighbours = findNeighbours(scene);
+  std::set<int> open(parts.begin(), parts.end());
+  std::vector<int> found{parts.front()};
+  open.erase(parts.front());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const int next : neighbours[static_cast<std::size_t>(found[i])]) {
+      if (open.erase(next) > 0) {
+        found.push_back(next);
+      }
+    }
+  }
+  return open.empty();
+}
+
 void expectTakenApart(const model::Model& model) {
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());
   const DisassemblyPlan plan = planDisassembly(scene);
   EXPECT_TRUE(plan.stuck.empty()) << plan.stuck.front().message;
+  for (const DisassemblyGroup& group : plan.groups) {
+    EXPECT_TRUE(&group == &plan.groups.front() || hangTogether(scene, group.parts)) << model.name;
+  }
   for (const std::string& message : replayed(model, plan)) {
     ADD_FAILURE() << model.name << ": " << message;
   }

@@ -89,6 +89,7 @@ function pageOf(controller: PageController): Page {
     focusProblem: controller.focusProblem,
     importOwned: controller.files.importOwned,
     partPicture: (id) => thumbnails.picture(id),
+    toggleKind: controller.toggleKind,
     cutAlong: controller.cutAlong,
     showPlace: controller.showPlace,
     showLayout: controller.showLayout,
@@ -157,6 +158,7 @@ async function openFirst(controller: PageController, saved: SavedSketch | null):
     turnUntilTouched(scene);
     const sketch = { ...first.sketch, name: first.title };
     controller.shelf.leave(sketch);
+    state.came.value = sketch;
     controller.begin({ sketch, history: { past: [], future: [] } });
   }
 }

@@ -14,7 +14,7 @@ import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
-import type { Example, LayoutSnapshot } from '../ui/page.ts';
+import type { Example, LayoutSnapshot, PartKind } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
@@ -172,6 +172,7 @@ export class PageController implements Actions {
   readonly newSketch = (): void => {
     this.state.dialog.value = null;
     this.shelf.leave(emptySketch());
+    this.state.came.value = null;
     this.run.clear();
     this.edit(text.edits.clear, emptySketch());
     this.useTool('line');
@@ -208,13 +209,16 @@ export class PageController implements Actions {
     this.state.focusedProblem.value = null;
     this.#opened = sketch;
     this.shelf.leave(sketch);
+    this.state.came.value = null;
     this.edit(text.edits.open, sketch);
     this.useTool('select');
     this.fit();
   }
 
   readonly openExample = (example: Example): void => {
-    this.replaceSketch({ ...example.sketch, name: example.title });
+    const sketch = { ...example.sketch, name: example.title };
+    this.replaceSketch(sketch);
+    this.state.came.value = sketch;
     this.generate();
   };
 
@@ -267,6 +271,15 @@ export class PageController implements Actions {
     if (right !== 0 || up !== 0) {
       view?.turn(right, up);
     }
+  };
+
+  readonly toggleKind = (kind: PartKind): void => {
+    const { isolation } = this.state;
+    const parts = new Set(this.state.partsOf(kind));
+    const same =
+      isolation.value?.parts.size === parts.size &&
+      [...parts].every((index) => isolation.value?.parts.has(index));
+    isolation.value = same ? null : { parts, others: 'ghost' };
   };
 
   readonly setView = (view: StandardView): void => {

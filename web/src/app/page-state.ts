@@ -13,6 +13,7 @@ import type { PlaneMode, Tool } from '../tools/tool.ts';
 import type {
   DialogName,
   Example,
+  PartKind,
   PartRow,
   PointerTaker,
   ResultState,
@@ -56,16 +57,22 @@ export class PageState {
   readonly faults = signal<readonly SketchFault[]>([]);
   readonly mirrors = signal<readonly MirrorPlane[]>([]);
   readonly proposedMirror = signal<MirrorPlane | null>(null);
+  /** The sketch as it came, by an example or a link; null for one's own. */
+  readonly came = signal<SketchDocument | null>(null);
   readonly panelOpen = signal(false);
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
   readonly hoveredPartIndex = signal<number | null>(null);
+  /** The line of the parts list that is pointed at. */
+  readonly listedPart = signal<PartKind | null>(null);
   /** The brick that was clicked, by index. */
   readonly pickedPart = signal<number | null>(null);
   readonly systemDark = signal(false);
 
   readonly result: ReadonlySignal<ResultState | null>;
   readonly stale: ReadonlySignal<boolean>;
+  /** Somebody else's sketch is on the page, and nothing was changed in it. */
+  readonly lookedAt: ReadonlySignal<boolean>;
   /** Parts of the model that the sketch has left behind: none, some, or all. */
   readonly unfit: ReadonlySignal<boolean | ReadonlySet<number>>;
   readonly small: ReadonlySignal<boolean>;
@@ -100,6 +107,9 @@ export class PageState {
       return sketch ? searchText(sketch) : null;
     });
     this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    this.lookedAt = computed(
+      () => this.came.value !== null && this.came.value === store.sketch.value,
+    );
     this.unfit = computed(() => {
       const model = shown.value;
       return this.stale.value && model?.sketch
@@ -132,11 +142,22 @@ export class PageState {
       const picked = this.pickedPart.value;
       return {
         hovered: this.hoveredPartIndex.value,
-        selected: new Set(picked === null ? [] : [picked]),
+        selected: new Set([
+          ...(picked === null ? [] : [picked]),
+          ...this.partsOf(this.listedPart.value),
+        ]),
         errors: new Set(problem?.parts ?? []),
       };
     });
   }
+  /** Indices of all parts of a kind in the model on screen. */
+  partsOf(kind: PartKind | null): number[] {
+    const parts = kind ? (this.shown.value?.model.parts ?? []) : [];
+    return parts.flatMap((part, i) =>
+      part.part === kind?.part && part.color === kind.color ? [i] : [],
+    );
+  }
+
   /** Part indices mean nothing for another model. */
   forgetParts(): void {
     this.display.value = null;
@@ -144,6 +165,7 @@ export class PageState {
     this.focusedProblem.value = null;
     this.hoveredPartIndex.value = null;
     this.pickedPart.value = null;
+    this.listedPart.value = null;
   }
 }
 

@@ -68,7 +68,13 @@ export interface PathQuestion {
   readonly index: number;
 }
 
-export type Question = StressQuestion | MotionQuestion | PathQuestion;
+/** Symmetries that a sketch has but does not name, for a person to confirm (core/design/symmetries.h). */
+export interface SymmetriesQuestion {
+  readonly about: 'symmetries';
+  readonly sketchJson: string;
+}
+
+export type Question = StressQuestion | MotionQuestion | PathQuestion | SymmetriesQuestion;
 
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */

@@ -93,16 +93,17 @@ export function createWorkerCore(loading: Promise<SolverModule>, host: WorkerHos
 }
 
 function answerTo(module: SolverModule, question: Question): SolverReply {
-  const { modelJson } = question;
   switch (question.about) {
+    case 'symmetries':
+      return module.findSymmetriesJson(question.sketchJson);
     case 'stress':
-      return module.analyseStressJson(modelJson, question.optionsJson);
+      return module.analyseStressJson(question.modelJson, question.optionsJson);
     case 'motion':
-      return module.analyseMotionJson(modelJson);
+      return module.analyseMotionJson(question.modelJson);
     case 'path':
       return question.of === 'joint'
-        ? module.jointMotionJson(modelJson, question.index)
-        : module.freeMotionJson(modelJson, question.index);
+        ? module.jointMotionJson(question.modelJson, question.index)
+        : module.freeMotionJson(question.modelJson, question.index);
     default:
       return assertNever(question);
   }

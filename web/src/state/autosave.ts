@@ -22,9 +22,9 @@ export class Autosaver {
     this.#onFailure = onFailure;
   }
 
-  /** Whether something is not safe yet: the last write failed, or is under way. */
+  /** Whether the browser has refused the last write. One under way takes a moment, and is none. */
   get unsaved(): boolean {
-    return this.#unsaved || this.#writing !== null;
+    return this.#unsaved;
   }
 
   /** Puts the state in line; returns at once. */

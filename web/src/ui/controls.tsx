@@ -36,6 +36,8 @@ export function IconButton(props: IconButtonProps) {
 export function CommandButton(props: {
   readonly id: string;
   readonly words?: string;
+  /** The words are too short to be its name: the command's own is said. */
+  readonly named?: boolean;
   readonly class?: string;
 }) {
   const { commands, mac } = usePage();
@@ -47,7 +49,7 @@ export function CommandButton(props: {
     <button
       type="button"
       class={`${props.words ? 'button' : 'icon-button'} ${props.class ?? ''}`}
-      aria-label={props.words ? undefined : command.label}
+      aria-label={props.words && !props.named ? undefined : command.label}
       title={command.label + keys}
       aria-pressed={pressed}
       disabled={disabled}

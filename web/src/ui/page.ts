@@ -42,6 +42,9 @@ export interface SolveState {
   readonly message: string;
 }
 
+/** A part number in one colour. */
+export type PartKind = Pick<PartCount, 'part' | 'color'>;
+
 /** A part of the parts list with what is needed to show it. */
 export interface PartRow extends PartCount {
   readonly name: string;
@@ -141,6 +144,8 @@ export interface Page {
   readonly dialog: Signal<DialogName>;
   readonly toasts: ReadonlySignal<readonly Toast[]>;
   readonly announcement: ReadonlySignal<string>;
+  /** Somebody else's sketch is on the page, and nothing was changed in it. */
+  readonly lookedAt: ReadonlySignal<boolean>;
   /** What cannot be built as drawn. */
   readonly faults: ReadonlySignal<readonly SketchFault[]>;
   /** Planes that mirror the sketch onto itself. */
@@ -152,6 +157,10 @@ export interface Page {
   readonly webglMissing: ReadonlySignal<boolean>;
   readonly focusedProblem: ReadonlySignal<number | null>;
   readonly hoveredPart: ReadonlySignal<string | null>;
+  /** The line of the parts list that is pointed at. */
+  readonly listedPart: Signal<PartKind | null>;
+  /** Shows the parts of a kind alone, or all again. */
+  toggleKind(kind: PartKind): void;
   /** The brick that was clicked, by index. */
   readonly pickedPart: Signal<number | null>;
   readonly mac: boolean;

@@ -94,16 +94,33 @@ function Parts({ result }: { readonly result: ResultState }) {
 
 function PartLine(props: { readonly row: PartRow; readonly short: number }) {
   const { row, short } = props;
-  const hovered = usePage().hoveredPart.value === row.part;
+  const page = usePage();
+  const hovered = page.hoveredPart.value === row.part;
+  const point = (kind: PartRow | null) => {
+    page.listedPart.value = kind && { part: kind.part, color: kind.color };
+  };
   return (
-    <tr class={hovered ? 'hovered' : ''}>
+    <tr
+      class={hovered ? 'hovered' : ''}
+      onPointerEnter={() => point(row)}
+      onPointerLeave={() => point(null)}
+    >
       <td class="count">{row.count}×</td>
       <td>
         <span class="swatch" style={{ background: row.swatch }} title={row.colourName} />
         <span class="visually-hidden">{row.colourName}</span>
       </td>
       <td>
-        {row.name} <span class="quiet">{row.part}</span>
+        <button
+          type="button"
+          class="part-name"
+          title={text.part.toggle}
+          onFocus={() => point(row)}
+          onBlur={() => point(null)}
+          onClick={() => page.toggleKind(row)}
+        >
+          {row.name} <span class="quiet">{row.part}</span>
+        </button>
         {short > 0 ? (
           <strong class="short">{fillWords(text.bricks.short, { n: short })}</strong>
         ) : null}

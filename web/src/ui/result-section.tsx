@@ -1,4 +1,4 @@
-import type { Problem } from '../model/report.ts';
+import type { Problem, Report } from '../model/report.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CommandButton } from './controls.tsx';
 import { Icon } from './icon.tsx';
@@ -55,33 +55,49 @@ function Verdict({ result, stale }: { readonly result: ResultState; readonly sta
 function Numbers({ result }: { readonly result: ResultState }) {
   const { report } = result;
   const bound = report.beamsLowerBound;
-  const rows: readonly (readonly [string, number | undefined, string, boolean])[] = [
-    [
-      text.result.beams,
-      report.beams,
-      bound === undefined ? '' : fillWords(text.result.bound, { n: bound }),
-      false,
-    ],
-    [text.result.bricks, report.bricks ?? result.bricks, '', false],
-    [text.result.gaps, report.gaps, '', true],
-    [text.result.collisions, report.collisions, '', true],
-    [text.result.failedConnections, report.failedConnections, '', true],
-    [text.result.uncovered, report.uncovered, '', true],
+  return (
+    <>
+      <dl class="figures">
+        {report.beams === undefined ? null : (
+          <div>
+            <dt>{text.result.beams}</dt>
+            <dd>
+              {report.beams}
+              {bound === undefined ? null : (
+                <small>{fillWords(text.result.bound, { n: bound })}</small>
+              )}
+            </dd>
+          </div>
+        )}
+        <div>
+          <dt>{text.result.bricks}</dt>
+          <dd>{report.bricks ?? result.bricks}</dd>
+        </div>
+        <TimeAndMass result={result} />
+      </dl>
+      <Shortcomings report={report} />
+    </>
+  );
+}
+
+/** What should be nothing: said in one line, and loudly where it is not. */
+function Shortcomings({ report }: { readonly report: Report }) {
+  const rows: readonly (readonly [string, number | undefined])[] = [
+    [text.result.gaps, report.gaps],
+    [text.result.collisions, report.collisions],
+    [text.result.failedConnections, report.failedConnections],
+    [text.result.uncovered, report.uncovered],
   ];
   return (
-    <dl class="figures">
-      {rows.map(([name, value, note, zeroIsGood]) =>
+    <dl class="shortcomings">
+      {rows.map(([name, value]) =>
         value === undefined ? null : (
-          <div key={name} class={zeroIsGood && value > 0 ? 'bad' : ''}>
+          <div key={name} class={value > 0 ? 'bad' : ''}>
             <dt>{name}</dt>
-            <dd>
-              {value}
-              {note ? <small>{note}</small> : null}
-            </dd>
+            <dd>{value}</dd>
           </div>
         ),
       )}
-      <TimeAndMass result={result} />
     </dl>
   );
 }
@@ -105,11 +121,7 @@ function TimeAndMass({ result }: { readonly result: ResultState }) {
       {size ? (
         <div class="span">
           <dt>{text.result.size}</dt>
-          <dd>
-            {size
-              .map((value) => formatNumber(Math.round(value * 10) / 10, value % 1 === 0 ? 0 : 1))
-              .join(' × ')}
-          </dd>
+          <dd>{size.map(sizeText).join(' × ')}</dd>
         </div>
       ) : null}
     </>
@@ -144,4 +156,10 @@ function Problems({ problems }: { readonly problems: readonly Problem[] }) {
       {more > 0 ? <p class="quiet">{fillWords(text.result.more, { n: more })}</p> : null}
     </div>
   );
+}
+
+/** Modules to one decimal, where there is one. */
+function sizeText(value: number): string {
+  const rounded = Math.round(value * 10) / 10;
+  return formatNumber(rounded, Number.isInteger(rounded) ? 0 : 1);
 }

@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { CommandButton } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { PartCard } from './part-card.tsx';
@@ -22,6 +23,7 @@ export function Stage() {
       <SelectionBox />
       <div class="stage-top">
         <ToolOptions />
+        <Invitation />
         <Hint />
       </div>
       <PartCard />
@@ -42,6 +44,20 @@ export function Stage() {
   );
 }
 
+/** Over somebody else's sketch: the way to one's own. */
+function Invitation() {
+  const page = usePage();
+  if (!page.lookedAt.value || page.tool.value.id !== 'select') {
+    return null;
+  }
+  return (
+    <p class="invitation floating">
+      <span>{text.hints.example}</span>
+      <CommandButton id="new" words={text.hints.drawOwn} class="primary small" />
+    </p>
+  );
+}
+
 function Hint() {
   const page = usePage();
   const empty = page.store.sketch.value.lines.length === 0;
@@ -50,6 +66,9 @@ function Hint() {
   const part = page.hoveredPart.value;
   const row = part === null ? undefined : page.result.value?.rows.find((r) => r.part === part);
   const hint = empty && tool.id === 'select' ? text.hints.empty : tool.hint.value;
+  if (page.lookedAt.value && tool.id === 'select' && !row) {
+    return null;
+  }
   if (row) {
     return (
       <p class="hint floating">

@@ -12,13 +12,18 @@ const PLANES: readonly { value: PlaneMode; label: string; command: string }[] = 
 
 const SELECTION_COMMANDS = [
   'duplicate',
+  'tool.array',
   'mirrorX',
   'rotateZ',
+  'join',
   'exact',
-  'holeAxisX',
-  'holeAxisY',
-  'holeAxisZ',
-  'delete',
+] as const;
+
+/** These three differ by their letter alone. */
+const HOLE_AXES = [
+  ['holeAxisX', 'X'],
+  ['holeAxisY', 'Y'],
+  ['holeAxisZ', 'Z'],
 ] as const;
 
 /** What goes with the tool in use: the plane and the length, or what can be done to the selection. */
@@ -43,6 +48,10 @@ export function ToolOptions() {
         {SELECTION_COMMANDS.map((id) => (
           <CommandButton key={id} id={id} />
         ))}
+        {HOLE_AXES.map(([id, letter]) => (
+          <CommandButton key={id} id={id} words={letter} named={true} class="plain axis-button" />
+        ))}
+        <CommandButton id="delete" />
       </div>
     );
   }

@@ -43,6 +43,8 @@ export const FILE_ROWS: readonly FileRow[] = [
   { kind: 'stl', group: 'shapes' },
   { kind: 'png', group: 'shapes' },
   { kind: 'svg', group: 'shapes' },
+  { kind: 'inp', group: 'stress' },
+  { kind: 'apdl', group: 'stress' },
   { kind: 'sketch.json', group: 'own' },
   { kind: 'model.json', group: 'own' },
 ];
@@ -53,6 +55,8 @@ const CORE_TYPES: Readonly<Partial<Record<FileKind, string>>> = {
   'parts.csv': 'text/csv',
   'wanted.xml': 'application/xml',
   'spreadsheet.csv': 'text/csv',
+  inp: 'text/plain',
+  apdl: 'text/plain',
 };
 
 /** Makes a file. @throws Error with one sentence when it cannot be made. */

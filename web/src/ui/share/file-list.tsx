@@ -10,7 +10,7 @@ import {
 import { safeName, saveFile } from './save-file.ts';
 import { shareWords } from './share-words.ts';
 
-const GROUPS: readonly FileGroup[] = ['building', 'buying', 'shapes', 'own'];
+const GROUPS: readonly FileGroup[] = ['building', 'buying', 'shapes', 'stress', 'own'];
 
 /** Every file that the sketch or its model can be written as. */
 export function FileList({ source }: { readonly source: FileSource }) {

@@ -41,6 +41,8 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     arrayNone: 'Wählen Sie erst Linien aus, dann kopieren Sie sie in einer Reihe.',
     measure: 'Klicken Sie zwei Punkte an, um dazwischen zu messen.',
     measureNext: 'Klicken Sie den zweiten Punkt an.',
+    example: 'Das ist ein Beispiel. Drehen Sie es durch Ziehen, ändern Sie es, oder',
+    drawOwn: 'Selbst zeichnen',
     empty: 'Zeichnen Sie eine Linie, oder öffnen Sie ein Beispiel.',
   },
   snap: {

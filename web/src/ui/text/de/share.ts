@@ -33,6 +33,7 @@ export const SHARE_DE: Words<typeof SHARE_EN> = {
     building: 'Für Bauprogramme',
     buying: 'Zum Zählen und Kaufen',
     shapes: 'Formen und Bilder',
+    stress: 'Festigkeit',
     own: 'Unsere eigenen Dateien',
   },
   files: {
@@ -44,6 +45,8 @@ export const SHARE_DE: Words<typeof SHARE_EN> = {
     stl: ['Oberflächen (.stl)', 'Millimeter, für Programme ohne Farben.'],
     png: ['Bild (.png)', 'Auf durchsichtigem Grund.'],
     svg: ['Linienzeichnung (.svg)', 'Ohne verdeckte Linien, für den Druck.'],
+    inp: ['CalculiX-Datei (.inp)', 'Das Stabwerk unter seinem Gewicht.'],
+    apdl: ['ANSYS-Skript (.apdl)', 'Dasselbe Stabwerk für ANSYS.'],
     'sketch.json': ['Skizze (.json)', 'Um später weiterzuzeichnen.'],
     'model.json': ['Modell (.json)', 'Jedes Teil an seinem Platz.'],
   },

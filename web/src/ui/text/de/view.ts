@@ -27,6 +27,7 @@ export const VIEW_DE: Words<typeof VIEW_EN> = {
     title: 'Teil',
     number: 'Nummer',
     ofModel: '{n} von {all}',
+    toggle: 'Nur diese zeigen, oder wieder alle',
     isolateSame: 'Diese Art',
     isolateNear: 'Nachbarn',
   },

@@ -37,6 +37,8 @@ export const DRAW_EN = {
     arrayNone: 'Select lines first, then make copies of them in a row.',
     measure: 'Click two points to measure between them.',
     measureNext: 'Click the second point.',
+    example: 'This is an example. Drag to turn it, change it, or',
+    drawOwn: 'Draw your own',
     empty: 'Draw a line, or open an example.',
   },
   snap: {

@@ -32,6 +32,7 @@ export const SHARE_EN = {
     building: 'For building programs',
     buying: 'For counting and buying',
     shapes: 'Shapes and pictures',
+    stress: 'Stress analysis',
     own: 'Our own files',
   },
   files: {
@@ -43,6 +44,8 @@ export const SHARE_EN = {
     stl: ['Surfaces (.stl)', 'Millimetres, for programs that know no colours.'],
     png: ['Picture (.png)', 'On a transparent ground.'],
     svg: ['Line drawing (.svg)', 'Without hidden lines, for print.'],
+    inp: ['CalculiX deck (.inp)', 'The frame under its weight; see docs/stress.md.'],
+    apdl: ['ANSYS script (.apdl)', 'The same frame for ANSYS.'],
     'sketch.json': ['Sketch (.json)', 'To go on drawing later.'],
     'model.json': ['Model (.json)', 'Every part in its place.'],
   },

@@ -26,6 +26,7 @@ export const VIEW_EN = {
     title: 'Part',
     number: 'Number',
     ofModel: '{n} of {all}',
+    toggle: 'Show these alone, or all again',
     isolateSame: 'This kind',
     isolateNear: 'Neighbours',
   },

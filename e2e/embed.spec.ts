@@ -1,0 +1,32 @@
+import { linkOf, publicSketch } from './helpers/links.ts';
+import { expect, test } from './helpers/test.ts';
+
+test('the viewer shows the model of a link without panels', async ({ page }) => {
+  await page.goto(`./embed.html${await linkOf(publicSketch('examples/square-frame'))}`);
+  await expect(page.locator('canvas')).toBeVisible();
+  await expect(page.locator('.embed-status')).toHaveAttribute('data-bricks', '8', {
+    timeout: 90_000,
+  });
+  await expect(page.getByRole('link', { name: 'Open in Liftarm' })).toHaveAttribute('href', /#s/);
+  await expect(page.locator('.panel')).toHaveCount(0);
+});
+
+test('a broken link gives a sentence in the viewer', async ({ page }) => {
+  await page.goto('./embed.html#s2.<img src=x onerror=alert(1)>.0');
+  await expect(page.getByRole('status')).toContainText('damaged');
+});
+
+test('the viewer loads nothing heavy before it is seen', async ({ page }) => {
+  const scripts: string[] = [];
+  page.on('request', (request) => scripts.push(new URL(request.url()).pathname));
+  await page.goto('./icons/liftarm.svg');
+  await page.evaluate(() => {
+    const frame = document.createElementNS('http://www.w3.org/1999/xhtml', 'iframe');
+    frame.setAttribute('src', '../embed.html');
+    frame.setAttribute('loading', 'lazy');
+    frame.setAttribute('style', 'position:absolute;top:20000px');
+    document.documentElement.append(frame);
+  });
+  await page.waitForTimeout(1500);
+  expect(scripts.filter((path) => path.endsWith('.wasm') || path.includes('viewer'))).toEqual([]);
+});

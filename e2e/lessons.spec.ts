@@ -1,0 +1,135 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from './helpers/test.ts';
+
+async function openLesson(page: Page, id: string): Promise<void> {
+  await page.addInitScript(() => {
+    localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
+  });
+  await page.goto(`./?room=lessons&lesson=${id}`);
+  await expect(page.locator(`[data-lesson="${id}"] svg`).first()).toBeVisible();
+}
+
+test.use({ draws: false });
+
+const praise = (page: Page) => page.getByTestId('praise');
+
+test('guiding graph: beams cover every edge', async ({ page }) => {
+  await openLesson(page, 'graph');
+  // Lines have 8, 6 and 10 edges; the last takes two beams.
+  for (const [from, to] of [
+    ['1/1', '1/9'],
+    ['2/1', '2/7'],
+    ['3/1', '3/9'],
+    ['3/9', '3/11'],
+  ] as const) {
+    await page.getByRole('button', { name: from, exact: true }).press('Enter');
+    await page.getByRole('button', { name: to, exact: true }).press('Enter');
+  }
+  await expect(page.getByTestId('covered')).toContainText('24 of 24');
+  await expect(praise(page)).toContainText('Well done');
+});
+
+test('hole axes: as few connectors as possible', async ({ page }) => {
+  await openLesson(page, 'axes');
+  await expect(page.getByTestId('connectors')).toContainText('3');
+  await page.getByRole('group', { name: 'Beam 1 along x' }).getByText('z').click();
+  await expect(page.getByTestId('connectors')).toContainText('2');
+  await expect(praise(page)).toContainText('Well done');
+});
+
+test('annealing: hot, then cooled, it settles', async ({ page }) => {
+  await openLesson(page, 'annealing');
+  await page.getByLabel('Temperature').fill('2');
+  await page.getByLabel('Cool down by itself').check();
+  await page.getByRole('button', { name: 'Run' }).click();
+  await expect(page.getByText(/[1-9]\d* tries/)).toBeVisible();
+  for (let i = 0; i < 5 && (await praise(page).textContent()) === ''; i++) {
+    await expect(async () => {
+      const cold = (await page.getByLabel('Temperature').inputValue()) === '0';
+      expect(cold || (await praise(page).textContent()) !== '').toBe(true);
+    }).toPass({ timeout: 60_000 });
+    if ((await praise(page).textContent()) === '') {
+      await page.getByRole('button', { name: 'Start again' }).click();
+      await page.getByLabel('Temperature').fill('2');
+    }
+  }
+  await expect(praise(page)).toContainText('Well done');
+});
+
+test('folding: a brace of ten holds a frame of six and eight', async ({ page }) => {
+  await openLesson(page, 'folding');
+  await page.getByRole('slider', { name: /^Corner/ }).press('ArrowRight');
+  await expect(page.getByTestId('fold-state')).toContainText('87');
+  await page.getByText('9', { exact: true }).click();
+  await expect(page.getByTestId('fold-state')).toContainText('leans');
+  await page.getByText('10', { exact: true }).click();
+  await expect(praise(page)).toContainText('Well done');
+});
+
+test('puzzle: beams by mouse and by keys, and the solver plays along', async ({ page }) => {
+  await openLesson(page, 'puzzle');
+  const board = page.locator('.puzzle-board');
+  const box = await board.boundingBox();
+  if (!box) {
+    throw new Error('no board');
+  }
+  const unit = box.width / 10;
+  const place = (x: number, y: number) =>
+    [box.x + (x + 1) * unit, box.y + box.height - (y + 1) * unit] as const;
+  const drag = async (from: readonly [number, number], to: readonly [number, number]) => {
+    await page.mouse.move(...place(...from));
+    await page.mouse.down();
+    await page.mouse.move(...place(...to), { steps: 3 });
+    await page.mouse.up();
+  };
+  for (const at of [0, 4, 8]) {
+    await drag([0, at], [8, at]);
+  }
+  await page.getByRole('group', { name: 'Layer' }).getByText('2').click();
+  for (const at of [0, 4]) {
+    await drag([at, 0], [at, 8]);
+  }
+  await expect(page.getByTestId('puzzle-uncovered')).toHaveText('8');
+  await board.focus();
+  // The cursor is where the mouse was last: at (4, 8).
+  for (let i = 0; i < 4; i++) {
+    await board.press('ArrowRight');
+  }
+  await board.press('Enter');
+  for (let i = 0; i < 8; i++) {
+    await board.press('ArrowDown');
+  }
+  await board.press('Enter');
+  await expect(page.getByTestId('puzzle-collisions')).toHaveText('0');
+  await expect(praise(page)).toContainText('6 beams');
+  await page.getByRole('button', { name: 'Let the solver play' }).click();
+  await expect(page.getByTestId('solver-says')).toContainText('6 beams', { timeout: 90_000 });
+});
+
+test('taking apart: blocked parts say so, pairs move together', async ({ page }) => {
+  await openLesson(page, 'apart');
+  const part = (n: number) => page.getByRole('button', { name: `Part ${n}` });
+  await part(2).press('Enter');
+  await page.getByRole('button', { name: 'Pull up' }).click();
+  await expect(page.getByTestId('apart-says')).toContainText('Blocked');
+  await page.getByText('Assembly 2').click();
+  for (const group of [[2, 3], [1]]) {
+    for (const n of group) {
+      await part(n).press('Enter');
+    }
+    await page.getByRole('button', { name: 'Pull up' }).click();
+  }
+  await expect(praise(page)).toContainText('2 moves');
+});
+
+test('the teacher’s page has a code for each lesson and model', async ({ page }) => {
+  await openLessonsTeacher(page);
+  await expect(page.locator('.handouts .qr-code')).toHaveCount(6 + 26, { timeout: 60_000 });
+  const link = page.locator('.handouts a').last();
+  await expect(link).toHaveAttribute('href', /#s\d+\./);
+});
+
+async function openLessonsTeacher(page: Page): Promise<void> {
+  await page.goto('./?room=lessons&lesson=teacher');
+  await expect(page.getByRole('heading', { name: 'For teachers' })).toBeVisible();
+}

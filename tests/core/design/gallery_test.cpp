@@ -1,0 +1,100 @@
+//! The gallery: every model is buildable, and its building steps hold each part once.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "design/design_session.h"
+
+namespace liftarm::design {
+namespace {
+
+using nlohmann::json;
+
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file.good()) << path;
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::filesystem::path galleryFolder() {
+  return std::filesystem::path(LIFTARM_SOURCE_DIR) / "public" / "gallery";
+}
+
+std::vector<std::string> galleryFiles() {
+  std::vector<std::string> files;
+  const json index = json::parse(textOf(galleryFolder() / "index.json"));
+  for (const json& row : index.at("models")) {
+    files.push_back(row.at("file").get<std::string>());
+  }
+  return files;
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
+  std::string name = std::filesystem::path(info.param).filename().string();
+  name.resize(name.size() - std::string(".sketch.json").size());
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+struct Solved {
+  json report;
+  std::string model;
+};
+
+Solved solve(const std::string& file, int seed) {
+  auto created = DesignSession::create(textOf(galleryFolder() / file),
+                                       json{{"seed", seed}, {"preset", "simple"}}.dump());
+  EXPECT_TRUE(created.ok());
+  if (!created.ok()) {
+    return {};
+  }
+  const auto session = std::move(created).value();
+  while (!session->advance(20000)) {
+  }
+  return {json::parse(session->reportJson()), session->modelJson()};
+}
+
+struct Gallery : ::testing::TestWithParam<std::string> {};
+
+TEST_P(Gallery, IsBuildableWithSeveralSeeds) {
+  for (const int seed : {1, 2}) {
+    const Solved solved = solve(GetParam(), seed);
+    EXPECT_TRUE(solved.report.value("buildable", false))
+        << "seed " << seed << ": " << solved.report.value("problems", json::array()).dump();
+  }
+}
+
+TEST_P(Gallery, HasStepsThatHoldEachPartOnce) {
+  const Solved solved = solve(GetParam(), 1);
+  const auto planned = planAssemblyJson(solved.model);
+  ASSERT_TRUE(planned.ok());
+  const json plan = json::parse(planned.value());
+  EXPECT_TRUE(plan.at("assemblable").get<bool>()) << plan.at("stuck").dump();
+  std::map<int, std::multiset<int>> added;
+  for (const json& step : plan.at("steps")) {
+    for (const json& add : step.at("adds")) {
+      EXPECT_FALSE(add.value("forced", false));
+      for (const json& part : add.at("parts")) {
+        added[step.at("group").get<int>()].insert(part.get<int>());
+      }
+    }
+  }
+  for (const json& group : plan.at("groups")) {
+    const auto parts = group.at("parts").get<std::multiset<int>>();
+    EXPECT_EQ(added[group.at("id").get<int>()], parts) << "group " << group.at("id");
+  }
+  EXPECT_EQ(added[0].size(), json::parse(solved.model).at("parts").size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Public, Gallery, ::testing::ValuesIn(galleryFiles()), nameOf);
+
+}  // namespace
+}  // namespace liftarm::design
