@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
+constexpr std::uint32_t kRoundsPerStart = 3;
+constexpr int kLaterStarts = 4;         // of stage one: few, so that they differ
 constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
 
 std::size_t at(int i) {
@@ -83,7 +85,15 @@ const char* Annealer::phase() const {
 void Annealer::start() {
   // Fewer starts for very large sketches, so that the first layout does not keep a person waiting.
   const auto runs = static_cast<int>(problem_->graph.runs.size());
-  const int starts = std::max(1, std::min(options_.starts, kStageOneBudget / std::max(1, runs)));
+  layFirst(std::max(1, std::min(options_.starts, kStageOneBudget / std::max(1, runs))));
+  started_ = true;
+  beginRound();
+  keepBest();
+}
+
+//! Hole axes from stage one, then every run covered once.
+void Annealer::layFirst(int starts) {
+  const auto runs = static_cast<int>(problem_->graph.runs.size());
   const guide::Orientation orientation = guide::estimateOrientation(problem_->graph, starts, &rng_);
   // The first covers see hole axes but no beams; the later ones see what was laid before them.
   for (int r = 0; r < runs; ++r) {
@@ -100,9 +110,6 @@ void Annealer::start() {
   layout_.settleAll();
   layout_.keep();
   energy_ = energy();
-  started_ = true;
-  beginRound();
-  keepBest();
 }
 
 void Annealer::beginRound() {
@@ -118,6 +125,13 @@ void Annealer::finishRound() {
   if (best_.tallies.violations() == 0 || round_ > options_.maxRounds) {
     done_ = true;
     return;
+  }
+  if (round_ % kRoundsPerStart == 0) {
+    // What one start cannot do another may: other hole axes, and no grudges.
+    layout_.setWeights(std::vector<double>(problem_->graph.junctions.size(), 1.0),
+                       std::vector<double>(problem_->graph.runs.size(), 1.0));
+    coverer_.setReach(guide::kMaxLayer);
+    layFirst(kLaterStarts);
   }
   beginRound();
 }

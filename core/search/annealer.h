@@ -31,9 +31,9 @@ struct AnnealingOptions {
   int starts = 60;                //!< of stage one
   double startTemperature = 6.0;  //!< in units of the energy
   double endTemperature = 0.25;
-  std::uint32_t iterationsPerRun = 120;
-  std::uint32_t minIterations = 1500;
-  std::uint32_t maxRounds = 6;  //!< further rounds while no layout without violations was found
+  std::uint32_t iterationsPerRun = 60;
+  std::uint32_t minIterations = 800;
+  std::uint32_t maxRounds = 17;  //!< further rounds while no layout without violations was found
   SearchParts parts;
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
@@ -72,6 +72,7 @@ class Annealer final : public LayoutSearch {
 
  private:
   void start();
+  void layFirst(int starts);
   void move();
   void beginRound();
   void finishRound();
