@@ -14,7 +14,6 @@ using analysis::Scene;
 using lattice::Vec3;
 using parts::Prism;
 
-constexpr double kTouch = 0.06;  // modules: rounded edges and play
 constexpr double kMargin = 0.1;  // modules inside the edge, so that a rounded end does not stand
 
 struct Point {
@@ -86,7 +85,7 @@ double floorOf(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
 
 }  // namespace
 
-bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
+bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up, double lean) {
   const Vec3 helper = up.z * up.z > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
   const Vec3 u = lattice::normalized(lattice::cross(up, helper));
   const Vec3 v = lattice::cross(up, u);
@@ -108,7 +107,7 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
     for (const analysis::Shape& shape : scene.parts[i].shapes) {
       for (const Point way : kWays) {
         const Vec3 p = furthest(shape.prism, kTilt * way.x * u + kTilt * way.y * v - up);
-        if (lattice::dot(p, up) < floor + kTouch) {
+        if (lattice::dot(p, up) < floor + lean) {
           touching.push_back(flat(p));
         }
       }
@@ -117,7 +116,10 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
   return mass > 0.0 && inside(flat((1.0 / mass) * moment), hullOf(std::move(touching)));
 }
 
-bool standTogether(const Scene& scene, const std::vector<std::vector<int>>& sets, Vec3 up) {
+bool standTogether(const Scene& scene,
+                   const std::vector<std::vector<int>>& sets,
+                   Vec3 up,
+                   double lean) {
   double lowest = 1e9;
   double highest = -1e9;
   for (const std::vector<int>& set : sets) {
@@ -125,17 +127,19 @@ bool standTogether(const Scene& scene, const std::vector<std::vector<int>>& sets
     lowest = std::min(lowest, floor);
     highest = std::max(highest, floor);
   }
-  return highest - lowest <= kTouch &&
+  return highest - lowest <= lean &&
          std::all_of(sets.begin(), sets.end(), [&](const std::vector<int>& set) {
-           return standsOn(scene, set, up);
+           return standsOn(scene, set, up, lean);
          });
 }
 
 bool standAnyway(const Scene& scene, const std::vector<std::vector<int>>& sets) {
-  constexpr std::array<Vec3, 6> kSides{
-      {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
-  return std::any_of(
-      kSides.begin(), kSides.end(), [&](Vec3 up) { return standTogether(scene, sets, up); });
+  constexpr double kLean = 1.0;
+  constexpr std::array<Vec3, 5> kSides{{{0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
+  return standTogether(scene, sets, {0, 0, 1}) ||
+         std::any_of(kSides.begin(), kSides.end(), [&](Vec3 up) {
+           return standTogether(scene, sets, up, kLean);
+         });
 }
 
 }  // namespace liftarm::instructions
