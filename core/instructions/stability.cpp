@@ -72,6 +72,11 @@ Vec3 furthest(const Prism& prism, Vec3 d) {
   return p + (along >= 0.0 ? prism.halfThickness : -prism.halfThickness) * prism.axis;
 }
 
+// Tilted a little each way, the lowest points of a solid are the corners of its underside.
+constexpr double kTilt = 1e-3;
+constexpr std::array<Point, 8> kWays{
+    {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
+
 //! The level of the table under some parts.
 double floorOf(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
   double floor = 1e9;
@@ -91,10 +96,6 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up, double
   const Vec3 v = lattice::cross(up, u);
   const auto flat = [&](Vec3 p) { return Point{lattice::dot(p, u), lattice::dot(p, v)}; };
   const double floor = floorOf(scene, parts, up);
-  // Tilted a little each way, the lowest points of a solid are the corners of its underside.
-  constexpr double kTilt = 1e-3;
-  constexpr std::array<Point, 8> kWays{
-      {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
   std::vector<Point> touching;
   Vec3 moment;
   double mass = 0.0;
@@ -140,6 +141,50 @@ bool standAnyway(const Scene& scene, const std::vector<std::vector<int>>& sets) 
          std::any_of(kSides.begin(), kSides.end(), [&](Vec3 up) {
            return standTogether(scene, sets, up, kLean);
          });
+}
+
+Footing::Footing(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    Foot foot;
+    for (const analysis::Shape& shape : scene.parts[i].shapes) {
+      for (const Point way : kWays) {
+        foot.points.push_back(furthest(shape.prism, {kTilt * way.x, kTilt * way.y, -1.0}));
+        foot.floor = std::min(foot.floor, foot.points.back().z);
+      }
+    }
+    foot.points.erase(std::remove_if(foot.points.begin(),
+                                     foot.points.end(),
+                                     [&](Vec3 p) { return p.z > foot.floor + kTouch; }),
+                      foot.points.end());
+    if (const parts::Part* part = scene.parts[i].part; part != nullptr) {
+      foot.mass = part->mass;
+      foot.moment =
+          part->mass * scene.model->parts[i].pose.apply(0.5 * (part->boundsMin + part->boundsMax));
+    }
+    feet_.push_back(std::move(foot));
+  }
+}
+
+bool Footing::stands(const std::vector<int>& parts) const {
+  double floor = 1e9;
+  double mass = 0.0;
+  Vec3 moment;
+  for (const int part : parts) {
+    const Foot& foot = feet_[static_cast<std::size_t>(part)];
+    floor = std::min(floor, foot.floor);
+    mass += foot.mass;
+    moment = moment + foot.moment;
+  }
+  std::vector<Point> touching;
+  for (const int part : parts) {
+    const Foot& foot = feet_[static_cast<std::size_t>(part)];
+    if (foot.floor < floor + kTouch) {
+      for (const Vec3 p : foot.points) {
+        touching.push_back({p.x, p.y});
+      }
+    }
+  }
+  return mass > 0.0 && inside({moment.x / mass, moment.y / mass}, hullOf(std::move(touching)));
 }
 
 }  // namespace liftarm::instructions

@@ -31,4 +31,22 @@ bool standTogether(const analysis::Scene& scene,
 //! module at most.
 bool standAnyway(const analysis::Scene& scene, const std::vector<std::vector<int>>& sets);
 
+//! \brief Tells quickly of many sets of connected parts whether they stand as they are.
+class Footing {
+ public:
+  explicit Footing(const analysis::Scene& scene);
+
+  [[nodiscard]] bool stands(const std::vector<int>& parts) const;
+
+ private:
+  struct Foot {
+    double floor = 1e9;                 // the lowest point of the part
+    std::vector<lattice::Vec3> points;  // what it would touch a table there with
+    lattice::Vec3 moment;               // g times modules
+    double mass = 0.0;
+  };
+
+  std::vector<Foot> feet_;
+};
+
 }  // namespace liftarm::instructions
