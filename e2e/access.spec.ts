@@ -44,6 +44,17 @@ for (const theme of ['light', 'dark'] as const) {
   });
 }
 
+for (const room of ['instructions', 'share', 'gallery', 'lessons']) {
+  test(`axe finds nothing serious in the room ${room}`, async ({ page }) => {
+    await page.goto(`/?room=${room}`);
+    await expect(page.locator('.room-body > *').first()).toBeVisible();
+    await expect(page.getByText('Loading…')).toBeHidden();
+    expect(await seriousFindings(page)).toEqual([]);
+    await page.getByRole('button', { name: 'Back to the drawing' }).click();
+    await expect(page.locator('.room')).toBeHidden();
+  });
+}
+
 test('the page speaks German to those who ask for it', async ({ page }) => {
   await page.goto('/?lang=de');
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible();

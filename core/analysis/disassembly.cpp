@@ -64,6 +64,7 @@ class Planner {
   void takeApart(std::size_t g) {
     DisassemblyState state(graphs_.blocking, graphs_.neighbours, plan_.groups[g].parts);
     last_ = -1;
+    inWhole_ = g == 0;
     while (state.parts().size() > 1) {
       if (state.parts().size() < plan_.groups[g].parts.size() && isUnit(state.parts())) {
         addRemoval({state.parts(), {}, -1, false}, g);
@@ -197,12 +198,27 @@ class Planner {
   [[nodiscard]] Removal leavingSingle(const DisassemblyState& state,
                                       const std::vector<Candidate>& singles,
                                       bool sparing) const {
+    std::vector<int> fit;
     for (const Candidate& candidate : singles) {
       if (!candidate.cut && !(sparing && inWholeUnit(state, candidate.part))) {
-        return leaving(state, {candidate.part});
+        fit.push_back(candidate.part);
       }
     }
-    return {};
+    return fit.empty() ? Removal{} : leaving(state, {steadiest(state, fit)});
+  }
+
+  //! The first of the next few parts that leaves the whole standing; else the first.
+  [[nodiscard]] int steadiest(const DisassemblyState& state, const std::vector<int>& parts) const {
+    constexpr std::size_t kLookAhead = 8;
+    if (!wishes_.stands || !inWhole_) {
+      return parts.front();
+    }
+    for (std::size_t i = 0; i < std::min(parts.size(), kLookAhead); ++i) {
+      if (wishes_.stands(state.others({parts[i]}))) {
+        return parts[i];
+      }
+    }
+    return parts.front();
   }
 
   [[nodiscard]] bool isWhole(const DisassemblyState& state, const std::vector<int>& unit) const {
@@ -337,6 +353,7 @@ class Planner {
   std::vector<int> unitOf_;
   DisassemblyPlan plan_;
   int last_ = -1;
+  bool inWhole_ = true;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct DisassemblyPlan {
 struct DisassemblyWishes {
   //! Disjoint connected sets of parts that leave together where they can, before they come apart.
   std::vector<std::vector<int>> units;
+  //! Whether parts stand by themselves: of the parts that could leave the whole next, one that lets
+  //! the rest stand is taken. May be empty.
+  std::function<bool(const std::vector<int>&)> stands;
 };
 
 //! \brief Takes a model apart by straight moves of single parts and connected subassemblies.

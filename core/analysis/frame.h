@@ -37,7 +37,6 @@ struct FrameSpring {
 //! \brief A frame of bars, springs and loads. N, mm, MPa.
 struct Frame {
   std::vector<lattice::Vec3> nodes;  //!< mm
-  std::vector<int> partOfNode;
   std::vector<FrameElement> elements;
   std::vector<FrameSpring> springs;   //!< always in place
   std::vector<FrameSpring> contacts;  //!< to the ground, each can be switched off

@@ -95,7 +95,6 @@ class Builder {
       const auto p = static_cast<std::size_t>(part);
       const Vec3 at = skeletons_[p].points[static_cast<std::size_t>(point)];
       result_.frame.nodes.push_back(kMillimetresPerModule * scene_.model->parts[p].pose.apply(at));
-      result_.frame.partOfNode.push_back(part);
       result_.nodesOfPart[p].push_back(entry->second);
     }
     return entry->second;

@@ -223,8 +223,4 @@ std::vector<Six> FrameSolver::motion() const {
   return result;
 }
 
-double FrameSolver::softness() const {
-  return state_->least;
-}
-
 }  // namespace liftarm::analysis

@@ -28,9 +28,6 @@ class FrameSolver {
   //! some mixture of them. \pre the last prepare() was false.
   [[nodiscard]] std::vector<Six> motion() const;
 
-  //! \brief Least eigenvalue of the scaled stiffness (an estimate from above).
-  [[nodiscard]] double softness() const;
-
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -10,6 +10,7 @@
 
 #include "analysis/motion_basis.h"
 #include "analysis/rank.h"
+#include "analysis/union_find.h"
 
 namespace liftarm::analysis {
 
@@ -93,6 +94,82 @@ std::vector<int> noneLate(const Linkage& linkage) {
   return std::vector<int>(linkage.links.size(), 0);
 }
 
+//! Joins what blocks without a motion hold, until there is no more.
+void mergeLocked(MergedLinkage& merged) {
+  for (;;) {
+    const int before = merged.linkage.bodies;
+    const MotionBasis basis(merged.linkage, noneLate(merged.linkage));
+    // What moves alike is not one body for that: at a dead point it may part. What links hold it
+    // together must be rigid by themselves.
+    const Linkage alike = within(merged.linkage, groupsOf(basis.assemblies(), allTwists(basis)));
+    merged = mergeFurther(merged, MotionBasis(alike, noneLate(alike)).locked());
+    if (merged.linkage.bodies == before) {
+      return;
+    }
+  }
+}
+
+//! Which bodies of a merged linkage are frame bodies: in an assembly without any, all are.
+std::vector<bool> framesOf(const FreedomsQuery& query, const MergedLinkage& merged) {
+  UnionFind assemblies(at(merged.linkage.bodies));
+  for (const Link& link : merged.linkage.links) {
+    assemblies.join(link.a, link.b);
+  }
+  std::vector<bool> frame(at(merged.linkage.bodies), false);
+  std::set<int> framed;
+  for (std::size_t i = 0; i < merged.bodyOf.size(); ++i) {
+    if (query.frame[i]) {
+      frame[at(merged.bodyOf[i])] = true;
+      framed.insert(assemblies.find(merged.bodyOf[i]));
+    }
+  }
+  for (int body = 0; body < merged.linkage.bodies; ++body) {
+    frame[at(body)] = frame[at(body)] || framed.count(assemblies.find(body)) == 0;
+  }
+  return frame;
+}
+
+//! For a body whose links all run on one line the link that holds it best; nothing for others.
+const Link* onlyLine(const std::vector<const Link*>& links) {
+  const Link* best = links.front();
+  for (const Link* link : links) {
+    if (!onOneLine(*link, *links.front())) {
+      return nullptr;
+    }
+    best = best->shifts && !link->shifts ? link : best;
+  }
+  return best;
+}
+
+//! Pins and the like that only spin in their place: each becomes one with what holds it.
+//! \return How many motions that took away.
+int absorbSpinning(const FreedomsQuery& query, MergedLinkage& merged) {
+  int spinning = 0;
+  for (;;) {
+    const std::vector<bool> frame = framesOf(query, merged);
+    std::vector<std::vector<const Link*>> linksOf(at(merged.linkage.bodies));
+    for (const Link& link : merged.linkage.links) {
+      linksOf[at(link.a)].push_back(&link);
+      linksOf[at(link.b)].push_back(&link);
+    }
+    std::vector<std::pair<int, int>> joined;
+    std::vector<bool> touched(at(merged.linkage.bodies), false);
+    for (std::size_t body = 0; body < linksOf.size(); ++body) {
+      const Link* link = frame[body] || linksOf[body].empty() ? nullptr : onlyLine(linksOf[body]);
+      // One of two neighbours at a time: the next round sees what is left.
+      if (link != nullptr && !touched[at(link->a)] && !touched[at(link->b)]) {
+        touched[body] = true;
+        joined.emplace_back(link->a, link->b);
+        spinning += link->shifts ? 2 : 1;
+      }
+    }
+    if (joined.empty()) {
+      return spinning;
+    }
+    merged = mergeFurther(merged, joined);
+  }
+}
+
 //! The motions of a merged linkage, seen against what rests, with what they are for.
 class MotionSorter {
  public:
@@ -100,21 +177,10 @@ class MotionSorter {
       : query_(query),
         merged_(merged),
         basis_(merged.linkage, latenessOf(merged.linkage, query.joints)),
-        frame_(at(merged.linkage.bodies), false),
+        frame_(framesOf(query, merged)),
         weight_(at(merged.linkage.bodies), 0.0) {
     for (std::size_t i = 0; i < merged.bodyOf.size(); ++i) {
-      const std::size_t body = at(merged.bodyOf[i]);
-      frame_[body] = frame_[body] || query.frame[i];
-      weight_[body] += query.weight[i];
-    }
-    std::set<int> framed;
-    for (std::size_t body = 0; body < frame_.size(); ++body) {
-      if (frame_[body]) {
-        framed.insert(basis_.assemblies()[body]);
-      }
-    }
-    for (std::size_t body = 0; body < frame_.size(); ++body) {
-      frame_[body] = frame_[body] || framed.count(basis_.assemblies()[body]) == 0;
+      weight_[at(merged.bodyOf[i])] += query.weight[i];
     }
     for (std::size_t m = 0; m < basis_.size(); ++m) {
       const MotionBasis::Driver driver = basis_.driver(m);
@@ -270,22 +336,17 @@ JointMove jointMove(const JointLine& joint, const std::vector<Twist>& twists) {
 
 MergedLinkage mergeAll(const Linkage& linkage) {
   MergedLinkage merged = mergeRigid(linkage);
-  for (;;) {
-    const int before = merged.linkage.bodies;
-    const MotionBasis basis(merged.linkage, noneLate(merged.linkage));
-    // What moves alike is not one body for that: at a dead point it may part. What links hold it
-    // together must be rigid by themselves.
-    const Linkage alike = within(merged.linkage, groupsOf(basis.assemblies(), allTwists(basis)));
-    merged = mergeFurther(merged, MotionBasis(alike, noneLate(alike)).locked());
-    if (merged.linkage.bodies == before) {
-      return merged;
-    }
-  }
+  mergeLocked(merged);
+  return merged;
 }
 
 Freedoms findFreedoms(const FreedomsQuery& query) {
-  const MergedLinkage merged = mergeAll(query.linkage);
-  return MotionSorter(query, merged).sorted();
+  MergedLinkage merged = mergeRigid(query.linkage);
+  const int absorbed = absorbSpinning(query, merged);
+  mergeLocked(merged);
+  Freedoms freedoms = MotionSorter(query, merged).sorted();
+  freedoms.spinning += absorbed;
+  return freedoms;
 }
 
 }  // namespace liftarm::analysis

@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "analysis/rank.h"
+#include "analysis/rank_sparse.h"
 #include "analysis/union_find.h"
 
 namespace liftarm::analysis {
@@ -161,7 +161,7 @@ void MotionBasis::solveBlock(const std::vector<int>& links, const std::vector<in
       }
     }
   }
-  const NullBasis basis = findNullBasis(matrix, late);
+  const NullBasis basis = findNullBasisOfAny(matrix, late);
   for (const std::size_t column : basis.free) {
     const Column& free = columns_[global[column]];
     drivers_.push_back({free.link, free.screw.angular == Vec3{}});

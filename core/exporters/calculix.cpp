@@ -63,8 +63,16 @@ class Deck {
     for (std::size_t i = 0; i < frame_.nodes.size(); ++i) {
       addNode(static_cast<int>(i) + 1, frame_.nodes[i]);
     }
+    std::vector<bool> hasBar(frame_.nodes.size(), false);
     for (const FrameElement& element : frame_.elements) {
       addBar(element);
+      hasBar[static_cast<std::size_t>(element.a)] = true;
+      hasBar[static_cast<std::size_t>(element.b)] = true;
+    }
+    for (std::size_t i = 0; i < hasBar.size(); ++i) {
+      if (!hasBar[i]) {
+        addStub(static_cast<int>(i));
+      }
     }
     for (const FrameSpring& spring : frame_.springs) {
       addSpring(spring);
@@ -105,6 +113,14 @@ class Deck {
     addRow(chain, sectionText(half, s.inertiaZ, s.shearY, y));
     addRow(chain, sectionText(half, s.inertiaY, s.shearZ, z));
     addTwist(element, {axes.m[0], axes.m[3], axes.m[6]}, s);
+  }
+
+  //! A node without a bar (a bush) would have no rotations: it gets a bar that leads nowhere.
+  void addStub(int node) {
+    addNode(nextNode_, frame_.nodes[static_cast<std::size_t>(node)] + Vec3{1, 0, 0});
+    const Section s = analysis::pinSection();
+    addRow({node + 1, nextNode_}, sectionText(s.area / 2.0, s.inertiaZ, s.shearY, {0, 1, 0}));
+    addRow({node + 1, nextNode_++}, sectionText(s.area / 2.0, s.inertiaY, s.shearZ, {0, 0, 1}));
   }
 
   static std::string sectionText(double area, double inertia, double shearArea, Vec3 direction) {

@@ -222,6 +222,8 @@ class Writer {
 Sequence planSequence(const Scene& scene) {
   analysis::DisassemblyWishes wishes;
   wishes.units = findRepeatedFrames(scene);
+  const Footing footing(scene);
+  wishes.stands = [&](const std::vector<int>& parts) { return footing.stands(parts); };
   const DisassemblyPlan plan = analysis::planDisassembly(scene, wishes);
   return Writer(scene, plan).run();
 }

@@ -14,7 +14,6 @@ using analysis::Scene;
 using lattice::Vec3;
 using parts::Prism;
 
-constexpr double kTouch = 0.06;  // modules: rounded edges and play
 constexpr double kMargin = 0.1;  // modules inside the edge, so that a rounded end does not stand
 
 struct Point {
@@ -73,6 +72,11 @@ Vec3 furthest(const Prism& prism, Vec3 d) {
   return p + (along >= 0.0 ? prism.halfThickness : -prism.halfThickness) * prism.axis;
 }
 
+// Tilted a little each way, the lowest points of a solid are the corners of its underside.
+constexpr double kTilt = 1e-3;
+constexpr std::array<Point, 8> kWays{
+    {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
+
 //! The level of the table under some parts.
 double floorOf(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
   double floor = 1e9;
@@ -86,16 +90,12 @@ double floorOf(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
 
 }  // namespace
 
-bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
+bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up, double lean) {
   const Vec3 helper = up.z * up.z > 0.5 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
   const Vec3 u = lattice::normalized(lattice::cross(up, helper));
   const Vec3 v = lattice::cross(up, u);
   const auto flat = [&](Vec3 p) { return Point{lattice::dot(p, u), lattice::dot(p, v)}; };
   const double floor = floorOf(scene, parts, up);
-  // Tilted a little each way, the lowest points of a solid are the corners of its underside.
-  constexpr double kTilt = 1e-3;
-  constexpr std::array<Point, 8> kWays{
-      {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
   std::vector<Point> touching;
   Vec3 moment;
   double mass = 0.0;
@@ -108,7 +108,7 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
     for (const analysis::Shape& shape : scene.parts[i].shapes) {
       for (const Point way : kWays) {
         const Vec3 p = furthest(shape.prism, kTilt * way.x * u + kTilt * way.y * v - up);
-        if (lattice::dot(p, up) < floor + kTouch) {
+        if (lattice::dot(p, up) < floor + lean) {
           touching.push_back(flat(p));
         }
       }
@@ -117,7 +117,10 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up) {
   return mass > 0.0 && inside(flat((1.0 / mass) * moment), hullOf(std::move(touching)));
 }
 
-bool standTogether(const Scene& scene, const std::vector<std::vector<int>>& sets, Vec3 up) {
+bool standTogether(const Scene& scene,
+                   const std::vector<std::vector<int>>& sets,
+                   Vec3 up,
+                   double lean) {
   double lowest = 1e9;
   double highest = -1e9;
   for (const std::vector<int>& set : sets) {
@@ -125,17 +128,63 @@ bool standTogether(const Scene& scene, const std::vector<std::vector<int>>& sets
     lowest = std::min(lowest, floor);
     highest = std::max(highest, floor);
   }
-  return highest - lowest <= kTouch &&
+  return highest - lowest <= lean &&
          std::all_of(sets.begin(), sets.end(), [&](const std::vector<int>& set) {
-           return standsOn(scene, set, up);
+           return standsOn(scene, set, up, lean);
          });
 }
 
 bool standAnyway(const Scene& scene, const std::vector<std::vector<int>>& sets) {
-  constexpr std::array<Vec3, 6> kSides{
-      {{0, 0, 1}, {0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
-  return std::any_of(
-      kSides.begin(), kSides.end(), [&](Vec3 up) { return standTogether(scene, sets, up); });
+  constexpr double kLean = 1.0;
+  constexpr std::array<Vec3, 5> kSides{{{0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
+  return standTogether(scene, sets, {0, 0, 1}) ||
+         std::any_of(kSides.begin(), kSides.end(), [&](Vec3 up) {
+           return standTogether(scene, sets, up, kLean);
+         });
+}
+
+Footing::Footing(const Scene& scene) {
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    Foot foot;
+    for (const analysis::Shape& shape : scene.parts[i].shapes) {
+      for (const Point way : kWays) {
+        foot.points.push_back(furthest(shape.prism, {kTilt * way.x, kTilt * way.y, -1.0}));
+        foot.floor = std::min(foot.floor, foot.points.back().z);
+      }
+    }
+    foot.points.erase(std::remove_if(foot.points.begin(),
+                                     foot.points.end(),
+                                     [&](Vec3 p) { return p.z > foot.floor + kTouch; }),
+                      foot.points.end());
+    if (const parts::Part* part = scene.parts[i].part; part != nullptr) {
+      foot.mass = part->mass;
+      foot.moment =
+          part->mass * scene.model->parts[i].pose.apply(0.5 * (part->boundsMin + part->boundsMax));
+    }
+    feet_.push_back(std::move(foot));
+  }
+}
+
+bool Footing::stands(const std::vector<int>& parts) const {
+  double floor = 1e9;
+  double mass = 0.0;
+  Vec3 moment;
+  for (const int part : parts) {
+    const Foot& foot = feet_[static_cast<std::size_t>(part)];
+    floor = std::min(floor, foot.floor);
+    mass += foot.mass;
+    moment = moment + foot.moment;
+  }
+  std::vector<Point> touching;
+  for (const int part : parts) {
+    const Foot& foot = feet_[static_cast<std::size_t>(part)];
+    if (foot.floor < floor + kTouch) {
+      for (const Vec3 p : foot.points) {
+        touching.push_back({p.x, p.y});
+      }
+    }
+  }
+  return mass > 0.0 && inside({moment.x / mass, moment.y / mass}, hullOf(std::move(touching)));
 }
 
 }  // namespace liftarm::instructions

@@ -181,7 +181,7 @@ TEST(Disassembly, AWishedUnitLeavesAsAWhole) {
   }
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());
   const std::vector<int> upper{8, 9, 10, 11, 12, 13, 14, 15};
-  const DisassemblyPlan plan = planDisassembly(scene, {{upper}});
+  const DisassemblyPlan plan = planDisassembly(scene, {{upper}, {}});
   EXPECT_TRUE(std::any_of(plan.groups.begin(), plan.groups.end(), [&](const auto& group) {
     return group.parts == upper;
   }));

@@ -119,7 +119,6 @@ Frame portal(double height, double span) {
   frame.sections[0].area = 1e6;
   frame.sections[0].shearY = frame.sections[0].shearZ = 1e9;
   frame.nodes = {{0, 0, 0}, {0, 0, height}, {span, 0, height}, {span, 0, 0}};
-  frame.partOfNode = {0, 0, 0, 0};
   for (int i = 0; i < 3; ++i) {
     FrameElement bar;
     bar.a = i;

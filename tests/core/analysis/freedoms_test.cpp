@@ -44,6 +44,27 @@ INSTANTIATE_TEST_SUITE_P(All,
                          ::testing::ValuesIn(testing::knownMechanisms()),
                          [](const auto& test) { return test.param.name; });
 
+struct RealModel : ::testing::TestWithParam<model::Model> {};
+
+TEST_P(RealModel, HasTheFreedomsOfADenseDecomposition) {
+  const Scene scene = makeScene(GetParam(), parts::Catalogue::builtIn());
+  for (const Friction friction : {Friction::kFree, Friction::kHeld}) {
+    const FreedomsQuery query = makeFreedomsQuery(scene, findCoverage(scene), friction);
+    const Freedoms freedoms = findFreedoms(query);
+    EXPECT_EQ(freedoms.internal + freedoms.spinning, testing::nullityByValues(query.linkage));
+  }
+}
+
+TEST_P(RealModel, KeepsItsMotionsWithinTheConstraints) {
+  const Scene scene = makeScene(GetParam(), parts::Catalogue::builtIn());
+  const FreedomsQuery query = makeFreedomsQuery(scene, findCoverage(scene), Friction::kFree);
+  for (const FreeMotion& motion : findFreedoms(query).motions) {
+    EXPECT_LT(testing::violation(query.linkage, motion.twists), 1e-6);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RealModel, ::testing::ValuesIn(testing::buildableModels()));
+
 TEST(Freedoms, SquareOfSinglePinsFolds) {
   EXPECT_EQ(freedomsOf(testing::squareFrame(), Friction::kFree).internal, 1);
 }

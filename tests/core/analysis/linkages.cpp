@@ -251,6 +251,7 @@ std::vector<Mechanism> knownMechanisms() {
       {"ChainOfThreeSquares", chainOfSquares(3), 3},
       {"ParallelRungs", parallelRungs(5), 1},
       {"Scissor", scissor(4), 1},
+      {"ChainOfThirtySquares", chainOfSquares(30), 30},
       {"Sarrus", sarrus(), 1},
       {"Bennett", bennett(1.0), 1},
       {"BennettOfWrongLength", bennett(1.2), 0},
@@ -279,7 +280,7 @@ analysis::FreedomsQuery queryOf(const Linkage& linkage) {
 
 int nullityByValues(const Linkage& linkage) {
   const Eigen::MatrixXd matrix = constraintMatrix(linkage);
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
+  const Eigen::VectorXd values = Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
   const int rank = static_cast<int>((values.array() > 1e-7 * values(0)).count());
   analysis::UnionFind assemblies(static_cast<std::size_t>(linkage.bodies));
   for (const Link& link : linkage.links) {

@@ -113,7 +113,7 @@ TEST_P(WholeModel, IsDisplacedAsCalculixSaysUnderALoad) {
   LIFTARM_NEED_CALCULIX();
   const model::Model model = testing::solvedExample(GetParam());
   analysis::StressOptions options;
-  options.loads.push_back({model.parts.back().pose.position, {0.02, 0.01, -0.2}});
+  options.loads.push_back({testing::middlePart(model), {0.002, 0.001, -0.5}});
   const analysis::StressState state = solvedState(model, options);
   ASSERT_TRUE(state.stands);
   EXPECT_LT(difference(state, runCalculix(writeCalculix(state, GetParam()), GetParam())), 0.02);
@@ -130,6 +130,13 @@ TEST(Deck, OfATriangleOfFreePinsIsDisplacedAsCalculixSays) {
   const analysis::StressState state = solvedState(testing::pythagoreanTriangle(), options);
   ASSERT_TRUE(state.stands);
   EXPECT_LT(difference(state, runCalculix(writeCalculix(state, "triangle"), "triangle")), 0.02);
+}
+
+TEST(Deck, OfAModelWithABushIsDisplacedAsCalculixSays) {
+  LIFTARM_NEED_CALCULIX();
+  const analysis::StressState state = solvedState(testing::squareWithAxle(), {});
+  ASSERT_TRUE(state.stands);
+  EXPECT_LT(difference(state, runCalculix(writeCalculix(state, "bush"), "bush")), 0.02);
 }
 
 TEST(Deck, HasNoLineThatCalculixCannotRead) {

@@ -32,7 +32,6 @@ inline analysis::Frame chain(lattice::Vec3 from,
   frame.sections = {section};
   for (int i = 0; i <= bars; ++i) {
     frame.nodes.push_back(from + (static_cast<double>(i) / bars) * (to - from));
-    frame.partOfNode.push_back(0);
   }
   for (int i = 0; i < bars; ++i) {
     analysis::FrameElement bar;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -34,6 +35,25 @@ inline model::Model solvedExample(const std::string& name) {
     return {};
   }
   return model.value();
+}
+
+//! \brief Where the part stands that is nearest to the middle of all, seen from above: a load there
+//! hardly tips anything.
+inline lattice::Vec3 middlePart(const model::Model& model) {
+  lattice::Vec3 sum;
+  for (const model::PlacedPart& part : model.parts) {
+    sum = sum + part.pose.position;
+  }
+  const lattice::Vec3 mean = (1.0 / static_cast<double>(model.parts.size())) * sum;
+  const auto distance = [&](const model::PlacedPart& part) {
+    lattice::Vec3 apart = part.pose.position - mean;
+    apart.z = 0.0;
+    return lattice::length(apart);
+  };
+  return std::min_element(model.parts.begin(),
+                          model.parts.end(),
+                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); })
+      ->pose.position;
 }
 
 }  // namespace liftarm::testing
