@@ -244,5 +244,28 @@ TEST(Composition, StaysWithinTheLargestSize) {
   }
 }
 
+TEST(Composition, AnAxleWithStopAndBushHoldsFourBeams) {
+  const std::vector<Mechanism> mechanisms = compose(2, {"15462", "3713"});
+  const auto longest = std::max_element(
+      mechanisms.begin(), mechanisms.end(), [](const Mechanism& a, const Mechanism& b) {
+        return a.headCount() < b.headCount();
+      });
+  ASSERT_NE(longest, mechanisms.end());
+  EXPECT_EQ(longest->headCount(), 4);
+  EXPECT_EQ(namesOf(*longest), "15462+3713");
+}
+
+TEST(Composition, AnAxleWithoutStopsHoldsNothing) {
+  EXPECT_TRUE(compose(2, {"32073", "3713"}).empty());  // one bush stops one side only
+}
+
+TEST(Composition, HeadsBetweenStopsMustAllHoldABeam) {
+  for (const Mechanism& m : compose(2, {"15462", "3713"})) {
+    for (const MechanismCell& cell : m.cells) {
+      EXPECT_EQ(cell.head, cell.mustHold);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace liftarm::mechanisms

@@ -92,6 +92,45 @@ TEST(Connections, HeadsThatAreNotCoaxialMeetNothing) {
   EXPECT_TRUE(connectionsOf({partAt("18654", {0, 0, 0}), pinAt("2780", {0, 0, 0.5}, kX)}).empty());
 }
 
+//! Beams on an axle of five with a stop at its high end, from the stop down, and a bush below them.
+std::vector<PlacedPart> stackOnAxle(int beams, int bushBelow) {
+  std::vector<PlacedPart> parts;
+  PlacedPart axle = partAt("15462", {0, 0, 0});
+  testing::turn(axle, kY, -90.0);  // its own x axis, where the stop is, to +z
+  parts.push_back(axle);
+  for (int i = 0; i < beams; ++i) {
+    parts.push_back(beamAt("32316", {0, 0, 2.0 - i}, i % 2 == 0 ? kX : kY, kZ));
+  }
+  PlacedPart bush = partAt("3713", {0, 0, 2.0 - beams - bushBelow});
+  testing::turn(bush, kX, 90.0);
+  parts.push_back(bush);
+  return parts;
+}
+
+int countFit(const std::vector<Connection>& found, Fit fit) {
+  int count = 0;
+  for (const Connection& c : found) {
+    count += c.fit == fit ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Connections, BeamsBetweenAStopAndABushAreHeld) {
+  const auto found = connectionsOf(stackOnAxle(4, 0));
+  EXPECT_EQ(countFit(found, Fit::kTurn), 4);
+  EXPECT_EQ(countFit(found, Fit::kRigid), 1);
+}
+
+TEST(Connections, BeamsWithAGapBeforeTheBushSlide) {
+  EXPECT_EQ(countFit(connectionsOf(stackOnAxle(3, 1)), Fit::kSlide), 3);
+}
+
+TEST(Connections, BeamsOnAnAxleWithoutABushSlide) {
+  std::vector<PlacedPart> parts = stackOnAxle(4, 0);
+  parts.pop_back();
+  EXPECT_EQ(countFit(connectionsOf(parts), Fit::kSlide), 4);
+}
+
 TEST(Connections, AreTheSameWhereverTheModelStands) {
   const Model here = testing::squareWithAxle();
   Model there = here;
