@@ -45,6 +45,7 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
       rng_(options_.seed),
       layout_(problem, solver),
       coverer_(problem, options_.lengths, coverCosts(options_.weights)),
+      supply_(options_.supply, solver.table()),
       softWeights_(options_.weights),
       violationWeight_(weightOf(options_.weights, "violations")) {
   measures_.scale = objective::scaleOf(problem.graph);
@@ -59,8 +60,10 @@ double Annealer::plainEnergy() const {
   return objective::value(measures_, softWeights_);
 }
 
-double Annealer::energy() const {
-  return plainEnergy() + violationWeight_ * layout_.weightedViolations();
+double Annealer::energy() {
+  missing_ = supply_.missing(layout_);
+  return plainEnergy() +
+         violationWeight_ * (layout_.weightedViolations() + static_cast<double>(missing_));
 }
 
 double Annealer::fraction() const {
@@ -115,7 +118,7 @@ void Annealer::beginRound() {
 
 void Annealer::finishRound() {
   ++round_;
-  if (best_.tallies.violations() == 0 || round_ > options_.maxRounds) {
+  if (best_.tallies.violations() + best_.missing == 0 || round_ > options_.maxRounds) {
     done_ = true;
     return;
   }
@@ -123,16 +126,18 @@ void Annealer::finishRound() {
 }
 
 void Annealer::keepBest() {
-  const int violations = layout_.tallies().violations();
+  const int violations = layout_.tallies().violations() + missing_;
+  const int bestViolations = best_.tallies.violations() + best_.missing;
   const double plain = plainEnergy();
-  const bool better = best_.covers.empty() || violations < best_.tallies.violations() ||
-                      (violations == best_.tallies.violations() && plain < best_.energy - 1e-9);
+  const bool better = best_.covers.empty() || violations < bestViolations ||
+                      (violations == bestViolations && plain < best_.energy - 1e-9);
   if (!better) {
     return;
   }
   ++improvements_;
   best_.tallies = layout_.tallies();
   best_.energy = plain;
+  best_.missing = missing_;
   best_.covers.clear();
   best_.junctions.clear();
   for (std::size_t r = 0; r < problem_->graph.runs.size(); ++r) {
