@@ -1,6 +1,7 @@
 #include "search/annealer.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/det_math.h"
 #include "guide/beam_bound.h"
@@ -15,6 +16,10 @@ constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
 constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
+
+// A part beyond those owned weighs less than any other violation.
+constexpr double kMissingShare = 0.4;
+constexpr double kSame = 1e-9;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -62,8 +67,8 @@ double Annealer::plainEnergy() const {
 
 double Annealer::energy() {
   missing_ = supply_.missing(layout_);
-  return plainEnergy() +
-         violationWeight_ * (layout_.weightedViolations() + static_cast<double>(missing_));
+  return plainEnergy() + violationWeight_ * (layout_.weightedViolations() +
+                                             kMissingShare * static_cast<double>(missing_));
 }
 
 double Annealer::fraction() const {
@@ -126,11 +131,12 @@ void Annealer::finishRound() {
 }
 
 void Annealer::keepBest() {
-  const int violations = layout_.tallies().violations() + missing_;
-  const int bestViolations = best_.tallies.violations() + best_.missing;
+  const int violations = layout_.tallies().violations();
   const double plain = plainEnergy();
-  const bool better = best_.covers.empty() || violations < bestViolations ||
-                      (violations == bestViolations && plain < best_.energy - 1e-9);
+  // A whole model with parts to buy says more than one that falls apart for want of them.
+  const auto rank = std::tuple(violations, missing_, plain + kSame);
+  const bool better = best_.covers.empty() ||
+                      rank < std::tuple(best_.tallies.violations(), best_.missing, best_.energy);
   if (!better) {
     return;
   }

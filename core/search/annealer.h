@@ -36,7 +36,7 @@ struct AnnealingOptions {
   std::uint32_t minIterations = 1500;
   std::uint32_t maxRounds = 6;  //!< further rounds while no layout without violations was found
   SearchParts parts;
-  Supply supply;  //!< what may be used; each part beyond it counts as a violation
+  Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };

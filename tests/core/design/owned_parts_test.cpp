@@ -57,9 +57,15 @@ TEST(OwnedParts, OfConnectorsAreNotExceededWhereOthersServe) {
 }
 
 TEST(OwnedParts, ThatDoNotSufficeAreNamedWithTheirNumber) {
-  // Whatever the layout, its corners need pins.
-  const Solved solved =
-      solve(testing::squareSketch(8), {{"owned.2780", 1}, {"owned.32526", 0}, {"rounds", 0}});
+  // One pin for four corners, and nothing else that could join them.
+  const Solved solved = solve(testing::squareSketch(8),
+                              {{"owned.2780", 1},
+                               {"owned.6558", 0},
+                               {"owned.87082", 0},
+                               {"owned.48989", 0},
+                               {"owned.55615", 0},
+                               {"owned.32526", 0},
+                               {"rounds", 0}});
   EXPECT_FALSE(solved.report["buildable"].get<bool>());
   ASSERT_EQ(solved.report["missing"].size(), 1U);
   const json& missing = solved.report["missing"][0];
