@@ -29,7 +29,7 @@ test('the PDF and the film are written', async ({ page }) => {
     expect(pdf.subarray(0, 5).toString('latin1')).toBe('%PDF-');
     expect(pdf.length).toBeGreaterThan(20_000);
   }
-  await page.getByText('Film', { exact: true }).click();
+  await page.getByRole('radio', { name: 'Film' }).check({ force: true });
   await page.getByLabel('Moment of the film').fill('2');
   await page.getByLabel('Speed').selectOption('4');
   const gif = await bytesOf(page, () => page.getByRole('button', { name: 'Save as GIF' }).click());

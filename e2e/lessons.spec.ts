@@ -11,6 +11,14 @@ async function openLesson(page: Page, id: string): Promise<void> {
 
 test.use({ draws: false });
 
+/** Takes one of a few choices: radio buttons that lie under their words. */
+async function choose(page: Page, legend: string, label: string): Promise<void> {
+  await page
+    .getByRole('group', { name: legend })
+    .getByRole('radio', { name: label, exact: true })
+    .check({ force: true });
+}
+
 const praise = (page: Page) => page.getByTestId('praise');
 
 test('guiding graph: beams cover every edge', async ({ page }) => {
@@ -32,7 +40,7 @@ test('guiding graph: beams cover every edge', async ({ page }) => {
 test('hole axes: as few connectors as possible', async ({ page }) => {
   await openLesson(page, 'axes');
   await expect(page.getByTestId('connectors')).toContainText('3');
-  await page.getByRole('group', { name: 'Beam 1 along x' }).getByText('z').click();
+  await choose(page, 'Beam 1 along x', 'z');
   await expect(page.getByTestId('connectors')).toContainText('2');
   await expect(praise(page)).toContainText('Well done');
 });
@@ -60,9 +68,9 @@ test('folding: a brace of ten holds a frame of six and eight', async ({ page }) 
   await openLesson(page, 'folding');
   await page.getByRole('slider', { name: /^Corner/ }).press('ArrowRight');
   await expect(page.getByTestId('fold-state')).toContainText('87');
-  await page.getByText('9', { exact: true }).click();
+  await choose(page, 'Brace', '9');
   await expect(page.getByTestId('fold-state')).toContainText('leans');
-  await page.getByText('10', { exact: true }).click();
+  await choose(page, 'Brace', '10');
   await expect(praise(page)).toContainText('Well done');
 });
 
@@ -85,7 +93,7 @@ test('puzzle: beams by mouse and by keys, and the solver plays along', async ({ 
   for (const at of [0, 4, 8]) {
     await drag([0, at], [8, at]);
   }
-  await page.getByRole('group', { name: 'Layer' }).getByText('2').click();
+  await choose(page, 'Layer', '2');
   for (const at of [0, 4]) {
     await drag([at, 0], [at, 8]);
   }
@@ -112,7 +120,7 @@ test('taking apart: blocked parts say so, pairs move together', async ({ page })
   await part(2).press('Enter');
   await page.getByRole('button', { name: 'Pull up' }).click();
   await expect(page.getByTestId('apart-says')).toContainText('Blocked');
-  await page.getByText('Assembly 2').click();
+  await choose(page, 'Parts seen from the side', 'Assembly 2');
   for (const group of [[2, 3], [1]]) {
     for (const n of group) {
       await part(n).press('Enter');

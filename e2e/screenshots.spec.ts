@@ -73,7 +73,7 @@ test('solving', async ({ page }) => {
   await settled(page);
   await page.getByRole('button', { name: /^Generate/ }).click();
   await expect(page.getByRole('progressbar')).toBeVisible();
-  await expect(page.getByText(/\d steps/)).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByText(/\d steps/)).toBeVisible({ timeout: 200_000 });
   await page.screenshot({ path: resolve(FOLDER, 'solving.png') });
 });
 

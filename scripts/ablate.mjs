@@ -102,8 +102,8 @@ function documentOf(rows, { names, seeds, machineText }) {
 Made by \`npm run ablate\`; do not edit. ${machineText}; one thread; seeds 1 to ${seeds} of: ${names.join(', ')}.
 
 Each row switches one part off (\`liftarm solve --set\`) and leaves all others on. Beams over the bound: mean over
-the buildable runs. Bricks: geometric mean against the whole search, over the runs that both could build. Seconds:
-median over all runs, also those that failed. Unreliable: sketches that not every seed could build.
+the buildable runs. Bricks: geometric mean against the whole search, over the runs that both could build. Seconds
+of the processor: median over all runs, also those that failed. Unreliable: sketches that not every seed could build.
 
 ${markdownTable(TITLES, rows.map(cellsOf))}
 

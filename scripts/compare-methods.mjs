@@ -78,7 +78,7 @@ function authorsCell(reference) {
 function runCells(report) {
   return report === null
     ? ['stopped', '-', '-']
-    : [figures(report), report.buildable ? 'yes' : 'no', secondsText(report.seconds.total)];
+    : [figures(report), report.buildable ? 'yes' : 'no', secondsText(report.seconds.processor)];
 }
 
 function cellsOf({ name, reference, ours, paper }) {
@@ -111,7 +111,7 @@ const TITLES = [
 function summary(rows) {
   const built = (key) => rows.filter((row) => row[key]?.buildable).length;
   const ratio = (slow, fast) => geometricMean(rows.map((row) => slow(row) / fast(row)));
-  const seconds = (key) => (row) => row[key]?.seconds.total ?? Number.NaN;
+  const seconds = (key) => (row) => row[key]?.seconds.processor ?? Number.NaN;
   const beams = (key) => (row) => row[key]?.beams ?? Number.NaN;
   const text = (value) => (value === null ? '-' : value.toFixed(2));
   const authors = (row) => row.reference?.searchSeconds ?? Number.NaN;
@@ -133,7 +133,7 @@ default setting. **paper** is the method of Xu, Hui, Fu and Zhang, "Computationa
 38(6), 2019), on our data structures (\`liftarm solve --method paper\`; \`core/search/paper_search.h\` lists how we
 read it), with the cooling rate that its authors set for the sketch. **authors' program** are figures measured
 with their own program, tuned per model by them, on a like machine; it counts colliding holes and failed groups,
-and whether a person could build the result was not judged. "Buildable" is what \`liftarm check\` says. Bound: fewest straight beams of any layout ([lower bound](lower-bound.md)).
+and whether a person could build the result was not judged. Seconds are of the processor, for the search alone. "Buildable" is what \`liftarm check\` says. Bound: fewest straight beams of any layout ([lower bound](lower-bound.md)).
 
 ${markdownTable(TITLES, rows.map(cellsOf))}
 

@@ -12,7 +12,8 @@ namespace liftarm::cli {
 
 //! \brief What one search came to.
 struct Solution {
-  nlohmann::ordered_json report;  //!< of DESIGN 4, with its times
+  //! Of DESIGN 4, with its times, and beside them the processor's as seconds.processor.
+  nlohmann::ordered_json report;
   std::string modelJson;
 };
 

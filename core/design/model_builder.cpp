@@ -26,24 +26,6 @@ const parts::Part& catalogued(std::string_view id) {
   return *part;
 }
 
-//! The straight beam with this many pin holes; thin ones when the length comes in no other
-//! thickness.
-const parts::Part& beamPart(int holes) {
-  const parts::Part* best = nullptr;
-  for (const parts::Part& part : parts::Catalogue::builtIn().parts()) {
-    const bool roundHoles =
-        std::all_of(part.features.begin(), part.features.end(), [](const parts::Feature& feature) {
-          return feature.kind == parts::FeatureKind::kPinHole;
-        });
-    if (part.holes == holes && roundHoles &&
-        (best == nullptr || part.thickness > best->thickness)) {
-      best = &part;
-    }
-  }
-  LIFTARM_CHECK(best != nullptr, "the catalogue has every length that the search uses");
-  return *best;
-}
-
 Vec3 middleOfHoles(const parts::Part& part) {
   Vec3 sum;
   for (const parts::Feature& feature : part.features) {
@@ -84,7 +66,7 @@ class Builder {
   void addBeam(int runId, const Beam& beam) {
     const guide::GuideRun& run = graph_.runs[at(runId)];
     const Axis axis = layout_.covers[at(runId)].axis;
-    const parts::Part& part = beamPart(beam.holes);
+    const parts::Part& part = straightBeamPart(beam.holes);
     const Vec3 y = run.direction;
     const Vec3 z = lattice::unitVector(axis);
     const Mat3 rotation = lattice::fromColumns(lattice::cross(y, z), y, z);
@@ -120,7 +102,7 @@ class Builder {
     const Vec3 x = mineIsLong ? theirs : mine;
     const Vec3 y = -(mineIsLong ? mine : theirs);
     const Mat3 rotation = lattice::fromColumns(x, y, lattice::cross(x, y));
-    const parts::Part& part = catalogued("32526");
+    const parts::Part& part = catalogued(kCornerBeam);
     const int index = layout::cornerIndex(graph_, runId, arm.mate);
     const guide::GuideRun& run = graph_.runs[at(runId)];
     const Vec3 corner =
@@ -223,6 +205,22 @@ class Builder {
 };
 
 }  // namespace
+
+const parts::Part& straightBeamPart(int holes) {
+  const parts::Part* best = nullptr;
+  for (const parts::Part& part : parts::Catalogue::builtIn().parts()) {
+    const bool roundHoles =
+        std::all_of(part.features.begin(), part.features.end(), [](const parts::Feature& feature) {
+          return feature.kind == parts::FeatureKind::kPinHole;
+        });
+    if (part.holes == holes && roundHoles &&
+        (best == nullptr || part.thickness > best->thickness)) {
+      best = &part;
+    }
+  }
+  LIFTARM_CHECK(best != nullptr, "the catalogue has every length that the search uses");
+  return *best;
+}
 
 model::Model buildModel(const layout::LayoutProblem& problem,
                         const mechanisms::MechanismTable& table,

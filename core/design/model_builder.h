@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "layout/components.h"
 #include "model/model.h"
@@ -17,5 +18,12 @@ model::Model buildModel(const layout::LayoutProblem& problem,
                         const search::LayoutSnapshot& layout,
                         const std::string& name,
                         const std::string& sketchJson);
+
+//! \brief The part that a straight beam with so many pin holes is made of: of 4 and 6 holes, two of
+//! them. \pre the search uses the length.
+const parts::Part& straightBeamPart(int holes);
+
+//! \brief LDraw number of the L beam that the search lays at corners.
+inline constexpr std::string_view kCornerBeam = "32526";
 
 }  // namespace liftarm::design

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/check.h"
+#include "design/owned_parts.h"
 #include "guide/beam_bound.h"
 #include "layout/components.h"
 #include "objective/rigidity_measure.h"
@@ -58,6 +59,28 @@ void addSearchProblems(const ReportInput& input, json* problems) {
   }
 }
 
+//! Parts that are owned too few of, and a problem for each.
+json addMissing(const ReportInput& input, json* problems) {
+  json missing = json::array();
+  for (const MissingPart& part : missingParts(input.model, input.settings)) {
+    missing.push_back({{"part", part.part}, {"needed", part.needed}, {"owned", part.owned}});
+    problems->push_back({{"kind", "owned"},
+                         {"message", part.message()},
+                         {"at", nullptr},
+                         {"parts", json::array()}});
+  }
+  return missing;
+}
+
+json itemsJson(const analysis::CheckReport& check) {
+  json items = json::array();
+  for (const analysis::CheckItem& item : check.items) {
+    items.push_back(
+        {{"id", item.id}, {"title", item.title}, {"ok", item.ok}, {"detail", item.detail}});
+  }
+  return items;
+}
+
 objective::Measures measuresOf(const ReportInput& input, const layout::Components& components) {
   objective::Measures measures;
   measures.tallies = input.search.best().tallies;
@@ -90,11 +113,7 @@ std::string makeReport(const ReportInput& input) {
       analysis::checkModel(input.model, parts::Catalogue::builtIn());
   json problems = problemsJson(check);
   addSearchProblems(input, &problems);
-  json items = json::array();
-  for (const analysis::CheckItem& item : check.items) {
-    items.push_back(
-        {{"id", item.id}, {"title", item.title}, {"ok", item.ok}, {"detail", item.detail}});
-  }
+  const json missing = addMissing(input, &problems);
   json terms = json::object();
   for (const objective::Term& term : objective::kTerms) {
     terms[std::string(term.name)] = rounded(term.value(measures));
@@ -130,8 +149,10 @@ std::string makeReport(const ReportInput& input) {
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
-      {"buildable", check.buildable && tallies.violations() == 0 && !best.covers.empty()},
-      {"items", items},
+      {"missing", missing},
+      {"buildable",
+       check.buildable && tallies.violations() == 0 && missing.empty() && !best.covers.empty()},
+      {"items", itemsJson(check)},
       {"problems", problems},
       {"objective", rounded(best.energy)},
       {"terms", terms},

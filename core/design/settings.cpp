@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/owned_parts.h"
 #include "parts/catalogue.h"
 
 namespace liftarm::design {
@@ -168,7 +169,7 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
 }
 
 std::string knownKeys() {
-  std::string keys = "connectors, lengths";
+  std::string keys = "connectors, lengths, owned.PARTID";
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
@@ -196,6 +197,9 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
     if (term) {
       return invalid("set." + key + ": a number from 0 to 1000000 is needed, not " + value.dump());
     }
+  }
+  if (key.rfind(kOwnedPrefix, 0) == 0) {
+    return applyOwned(settings, key.substr(kOwnedPrefix.size()), number);
   }
   for (const SwitchKey& known : kSwitchKeys) {
     if (known.name != key) {
@@ -281,6 +285,9 @@ base::Result<Settings> readSettings(std::string_view text) {
       }
     }
   }
+  if (const base::Result<bool> limited = limitSearch(&settings); !limited.ok()) {
+    return limited.error();
+  }
   return settings;
 }
 
@@ -306,6 +313,7 @@ std::string settingsJson(const Settings& settings) {
               {"connectors", settings.connectors},
               {"paper.coolingRate", settings.paper.coolingRate},
               {"search", parts},
+              {"owned", settings.owned},
               {"weights", weights}}
       .dump();
 }

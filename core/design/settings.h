@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,13 +26,17 @@ struct Settings {
   // found a layout for 1 of 5 seeds instead of 5).
   std::vector<std::string> connectors{"2780", "6558", "87082", "48989", "55615", "15462", "3713"};
   int mechanismParts = 2;  //!< most connecting parts in one mechanism
+  //! How many of a part are owned, by LDraw number; others are not limited. What the search can do
+  //! about it is in annealing.supply, lengths and connectors already.
+  std::map<std::string, int> owned;
 };
 
 //! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.
 //! \details Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual number of
 //! iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`, `mechanismParts`,
 //! `lengths` ("2,3,5"), `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper),
-//! and `search.PART`, 1 or 0 (search/annealer.h, SearchParts).
+//! `search.PART`, 1 or 0 (search/annealer.h, SearchParts), and `owned.PARTID`, how many of a part
+//! there are at most (DESIGN 6): 0 switches it off.
 //! \return The settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);
 

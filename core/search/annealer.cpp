@@ -1,6 +1,7 @@
 #include "search/annealer.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/det_math.h"
 #include "guide/beam_bound.h"
@@ -17,6 +18,10 @@ constexpr std::uint64_t kPatience =
 constexpr std::uint32_t kRoundsPerStart = 3;
 constexpr int kLaterStarts = 4;         // of stage one: few, so that they differ
 constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
+
+// A part beyond those owned weighs less than any other violation.
+constexpr double kMissingShare = 0.4;
+constexpr double kSame = 1e-9;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -47,6 +52,7 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
       rng_(options_.seed),
       layout_(problem, solver),
       coverer_(problem, options_.lengths, coverCosts(options_.weights)),
+      supply_(options_.supply, solver.table()),
       softWeights_(options_.weights),
       violationWeight_(weightOf(options_.weights, "violations")) {
   measures_.scale = objective::scaleOf(problem.graph);
@@ -61,8 +67,10 @@ double Annealer::plainEnergy() const {
   return objective::value(measures_, softWeights_);
 }
 
-double Annealer::energy() const {
-  return plainEnergy() + violationWeight_ * layout_.weightedViolations();
+double Annealer::energy() {
+  missing_ = supply_.missing(layout_);
+  return plainEnergy() + violationWeight_ * (layout_.weightedViolations() +
+                                             kMissingShare * static_cast<double>(missing_));
 }
 
 double Annealer::fraction() const {
@@ -122,7 +130,7 @@ void Annealer::beginRound() {
 
 void Annealer::finishRound() {
   ++round_;
-  if (best_.tallies.violations() == 0 || round_ > options_.maxRounds) {
+  if (best_.tallies.violations() + best_.missing == 0 || round_ > options_.maxRounds) {
     done_ = true;
     return;
   }
@@ -139,14 +147,17 @@ void Annealer::finishRound() {
 void Annealer::keepBest() {
   const int violations = layout_.tallies().violations();
   const double plain = plainEnergy();
-  const bool better = best_.covers.empty() || violations < best_.tallies.violations() ||
-                      (violations == best_.tallies.violations() && plain < best_.energy - 1e-9);
+  // A whole model with parts to buy says more than one that falls apart for want of them.
+  const auto rank = std::tuple(violations, missing_, plain + kSame);
+  const bool better = best_.covers.empty() ||
+                      rank < std::tuple(best_.tallies.violations(), best_.missing, best_.energy);
   if (!better) {
     return;
   }
   ++improvements_;
   best_.tallies = layout_.tallies();
   best_.energy = plain;
+  best_.missing = missing_;
   best_.covers.clear();
   best_.junctions.clear();
   for (std::size_t r = 0; r < problem_->graph.runs.size(); ++r) {

@@ -8,6 +8,7 @@
 #include "objective/objective.h"
 #include "search/layout_search.h"
 #include "search/run_coverer.h"
+#include "search/supply.h"
 
 namespace liftarm::search {
 
@@ -35,6 +36,7 @@ struct AnnealingOptions {
   std::uint32_t minIterations = 800;
   std::uint32_t maxRounds = 17;  //!< further rounds while no layout without violations was found
   SearchParts parts;
+  Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
 };
@@ -86,7 +88,7 @@ class Annealer final : public LayoutSearch {
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
   bool straighten(int run, double noise);
   bool bend(int run, double noise);
-  [[nodiscard]] double energy() const;
+  [[nodiscard]] double energy();
   [[nodiscard]] double plainEnergy() const;
   void raiseWeights();
   void keepBest();
@@ -96,6 +98,8 @@ class Annealer final : public LayoutSearch {
   base::Rng rng_;
   layout::Layout layout_;
   RunCoverer coverer_;
+  SupplyCounter supply_;
+  int missing_ = 0;  // of the layout that energy() saw last
   LayoutSnapshot best_;
   bool started_ = false;
   bool done_ = false;

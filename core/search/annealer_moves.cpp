@@ -128,6 +128,9 @@ bool Annealer::coverRun(int run,
                         double noise,
                         const std::vector<layout::Beam>& fixed) {
   coverer_.setFixed(fixed);
+  if (supply_.limited()) {
+    coverer_.setLengthCosts(supply_.lengthCosts(layout_, run, options_.lengths, violationWeight_));
+  }
   auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
   coverer_.setFixed({});
   if (!cover) {

@@ -13,6 +13,7 @@ struct LayoutSnapshot {
   std::vector<layout::JunctionState> junctions;
   layout::Tallies tallies;
   double energy = 0.0;
+  int missing = 0;  //!< parts that it needs beyond those owned (search/supply.h)
 };
 
 //! \brief A stepped, deterministic search for a layout: what every method offers (DESIGN 4,

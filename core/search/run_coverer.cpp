@@ -170,6 +170,7 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
                       costs_.layer * static_cast<double>(layer < 0 ? -layer : layer) +
                       costs_.layerHole * static_cast<double>(lengths_[n] * layer * layer) +
                       nodeCosts + noise * rng->unit();
+        cost += lengthCosts_.empty() ? 0.0 : lengthCosts_[n];
         cost += start < 0 ? costs_.overhang : 0.0;
         cost += last > edges_ ? costs_.overhang : 0.0;
         if (restricted) {

@@ -49,6 +49,9 @@ class RunCoverer {
   //! (guide/layer_field); null: any. The list must outlive the proposals.
   void setPreferred(const std::vector<int>* layers) { preferred_ = layers; }
 
+  //! \brief What a beam of each length costs besides, for the next proposals; empty: nothing.
+  void setLengthCosts(std::vector<double> costs) { lengthCosts_ = std::move(costs); }
+
   [[nodiscard]] const CoverCosts& costs() const { return costs_; }
 
  private:
@@ -76,6 +79,7 @@ class RunCoverer {
   CoverCosts costs_;
 
   std::vector<layout::Beam> fixed_;
+  std::vector<double> lengthCosts_;  // by place in lengths_, or empty
   const std::vector<int>* preferred_ = nullptr;
 
   // One run's working set, reused from call to call.

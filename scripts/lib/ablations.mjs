@@ -92,7 +92,7 @@ export function summariseAblation(runs, others) {
     buildable: good.length,
     overBound: over.length > 0 ? over.reduce((sum, x) => sum + x, 0) / over.length : null,
     bricks: geometricMean(inBoth.map(({ report }) => report.bricks)),
-    seconds: median(runs.map(({ report }) => report?.seconds.total ?? Number.NaN)),
+    seconds: median(runs.map(({ report }) => report?.seconds.processor ?? Number.NaN)),
     unreliable: [...new Set(bad)],
   };
 }

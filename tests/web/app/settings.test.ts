@@ -13,6 +13,11 @@ test('single options win over the pictures', () => {
   expect(settingsOf(preferences).set).toEqual({ effort: 2, lengths: '2,3,5,6,7,9,11,13' });
 });
 
+test('counts of owned parts limit the search', () => {
+  const preferences = { ...PREFERENCE_DEFAULTS, owned: { '32278': 4, '2780': 30 } };
+  expect(settingsOf(preferences).set).toEqual({ 'owned.32278': 4, 'owned.2780': 30 });
+});
+
 test('a refusal of the core names its line', () => {
   expect(refusedLine('lines[3]: length 4.5 is not a whole number of modules')).toBe(3);
   expect(refusedLine('the sketch has no lines')).toBeNull();

@@ -4,12 +4,15 @@ import { type Preferences, parseAdvanced } from '../state/preferences.ts';
 
 /** What the search is asked for. What stands under "advanced" wins over everything else. */
 export function settingsOf(
-  preferences: Pick<Preferences, 'seed' | 'preset' | 'effort' | 'off' | 'advanced'>,
+  preferences: Pick<Preferences, 'seed' | 'preset' | 'effort' | 'off' | 'advanced'> &
+    Partial<Pick<Preferences, 'owned'>>,
 ): SolveSettings {
-  const { seed, preset, effort, off, advanced } = preferences;
+  const { seed, preset, effort, off, owned = {}, advanced } = preferences;
+  const limits = Object.entries(owned).map(([id, count]) => [`owned.${id}`, count]);
   const set = {
     ...(effort === 1 ? {} : { effort }),
     ...brickSetSettings(new Set(off)),
+    ...Object.fromEntries(limits),
     ...parseAdvanced(advanced),
   };
   return { seed, preset, set };

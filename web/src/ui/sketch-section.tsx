@@ -27,7 +27,7 @@ export function SketchFaults() {
               <Icon name="alert" />
               <span>{sentence(fault)}</span>
             </button>
-            <button type="button" class="button small" onClick={() => page.mend(fault)}>
+            <button type="button" class="button secondary small" onClick={() => page.mend(fault)}>
               {fault.kind === 'twin' ? text.faults.mendTwin : text.faults.mendCrossing}
             </button>
           </li>

@@ -68,9 +68,15 @@ async function register(): Promise<void> {
   ready.active?.postMessage('fetch-the-rest');
 }
 
+function begin(): void {
+  register().catch(() => undefined);
+}
+
 if ('serviceWorker' in navigator && import.meta.env.PROD) {
-  // What is on screen comes first.
-  window.addEventListener('load', () => {
-    register().catch(() => undefined);
-  });
+  // What is on screen comes first. The page's own start may take longer than the loading of its files.
+  if (document.readyState === 'complete') {
+    begin();
+  } else {
+    window.addEventListener('load', begin);
+  }
 }

@@ -61,7 +61,7 @@ export function FoldingLesson() {
           cy={dy}
           r={0.45}
           role="slider"
-          tabIndex={0}
+          tabindex={0}
           aria-label={words.corner}
           aria-valuemin={LIMITS.low}
           aria-valuemax={LIMITS.high}

@@ -1,0 +1,99 @@
+#include "design/owned_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "design/model_builder.h"
+#include "parts/catalogue.h"
+
+namespace liftarm::design {
+
+namespace {
+
+using base::Error;
+using base::Status;
+
+constexpr double kMostOwned = 1e6;
+constexpr const char* kInlinePin = "2780";
+
+Error invalid(const std::string& message) {
+  return {Status::kInvalidInput, message};
+}
+
+}  // namespace
+
+base::Result<bool> applyOwned(Settings* settings, const std::string& partId, double count) {
+  const std::string key = "set." + std::string(kOwnedPrefix) + partId;
+  if (parts::Catalogue::builtIn().find(partId) == nullptr) {
+    return invalid(key + ": no part " + partId + " in the catalogue");
+  }
+  if (!(count >= 0.0 && count <= kMostOwned) || count != std::floor(count)) {
+    return invalid(key + ": a whole number from 0 to 1000000 is needed");
+  }
+  settings->owned[partId] = static_cast<int>(count);
+  return true;
+}
+
+base::Result<bool> limitSearch(Settings* settings) {
+  const std::map<std::string, int>& owned = settings->owned;
+  if (owned.empty()) {
+    return true;
+  }
+  search::AnnealingOptions& annealing = settings->annealing;
+  std::vector<int> lengths;
+  for (const int holes : annealing.lengths) {
+    const auto limit = owned.find(straightBeamPart(holes).id);
+    if (limit == owned.end() || limit->second >= layout::partsOfBeam(holes)) {
+      lengths.push_back(holes);
+      if (limit != owned.end()) {
+        annealing.supply.beams.push_back({holes, limit->second});
+      }
+    }
+  }
+  if (lengths.empty()) {
+    return invalid("set.owned: no straight beam is left; own at least one kind");
+  }
+  annealing.lengths = lengths;
+  if (const auto limit = owned.find(std::string(kCornerBeam)); limit != owned.end()) {
+    annealing.supply.corners = limit->second;
+    annealing.parts.corners = annealing.parts.corners && limit->second > 0;
+  }
+  std::vector<std::string> connectors;
+  for (const std::string& id : settings->connectors) {
+    const auto limit = owned.find(id);
+    if (limit == owned.end() || limit->second > 0) {
+      connectors.push_back(id);
+      if (limit != owned.end()) {
+        annealing.supply.connectors.emplace_back(id, limit->second);
+      }
+    } else if (id == kInlinePin) {
+      return invalid(
+          "set.owned.2780: at least 1 is needed, since joints in line are pinned with it");
+    }
+  }
+  settings->connectors = connectors;
+  return true;
+}
+
+std::string MissingPart::message() const {
+  const parts::Part* known = parts::Catalogue::builtIn().find(part);
+  return "the model needs " + std::to_string(needed) + " of part " + part +
+         (known == nullptr ? "" : " (" + known->name + ")") + ", of which you own " +
+         std::to_string(owned) + ": " + std::to_string(needed - owned) + " missing";
+}
+
+std::vector<MissingPart> missingParts(const model::Model& model, const Settings& settings) {
+  std::vector<MissingPart> missing;
+  for (const auto& [id, owned] : settings.owned) {
+    const auto needed = static_cast<int>(
+        std::count_if(model.parts.begin(), model.parts.end(), [&id = id](const auto& part) {
+          return part.part == id;
+        }));
+    if (needed > owned) {
+      missing.push_back({id, needed, owned});
+    }
+  }
+  return missing;
+}
+
+}  // namespace liftarm::design

@@ -1,0 +1,130 @@
+#include "design/owned_parts.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/helpers/sketches.h"
+#include "design/design_session.h"
+#include "model/model_json.h"
+#include "sketch/sketch_json.h"
+
+namespace liftarm::design {
+namespace {
+
+using nlohmann::json;
+
+struct Solved {
+  json report;
+  model::Model model;
+};
+
+Solved solve(const sketch::Sketch& sketch, const json& set) {
+  auto created = DesignSession::create(sketch::writeSketch(sketch), json{{"set", set}}.dump());
+  EXPECT_TRUE(created.ok()) << created.error().message;
+  const std::unique_ptr<DesignSession> session = std::move(created).value();
+  while (!session->advance(1000)) {
+  }
+  return {json::parse(session->reportJson()), model::readModel(session->modelJson()).value()};
+}
+
+int countOf(const model::Model& model, const std::string& part) {
+  return static_cast<int>(std::count_if(
+      model.parts.begin(), model.parts.end(), [&](const auto& p) { return p.part == part; }));
+}
+
+TEST(OwnedParts, OfWhichThereAreNoneAreNotUsed) {
+  // A square of nine nodes a side takes four beams of nine, 40490.
+  const Solved solved = solve(testing::squareSketch(8), {{"owned.40490", 0}});
+  EXPECT_EQ(countOf(solved.model, "40490"), 0);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+}
+
+TEST(OwnedParts, AreNotExceededWhereOthersServe) {
+  const Solved solved = solve(testing::squareSketch(8), {{"owned.40490", 2}});
+  EXPECT_LE(countOf(solved.model, "40490"), 2);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+  EXPECT_TRUE(solved.report["missing"].empty());
+}
+
+TEST(OwnedParts, OfConnectorsAreNotExceededWhereOthersServe) {
+  const Solved whole = solve(testing::cubeSketch(8), json::object());
+  ASSERT_GT(countOf(whole.model, "55615"), 0);
+  const Solved solved = solve(testing::cubeSketch(8), {{"owned.55615", 1}});
+  EXPECT_LE(countOf(solved.model, "55615"), 1);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+}
+
+TEST(OwnedParts, ThatDoNotSufficeAreNamedWithTheirNumber) {
+  // One pin for four corners, and nothing else that could join them.
+  const Solved solved = solve(testing::squareSketch(8),
+                              {{"owned.2780", 1},
+                               {"owned.6558", 0},
+                               {"owned.87082", 0},
+                               {"owned.48989", 0},
+                               {"owned.55615", 0},
+                               {"owned.32526", 0},
+                               {"rounds", 0}});
+  EXPECT_FALSE(solved.report["buildable"].get<bool>());
+  ASSERT_EQ(solved.report["missing"].size(), 1U);
+  const json& missing = solved.report["missing"][0];
+  EXPECT_EQ(missing["part"], "2780");
+  EXPECT_EQ(missing["owned"], 1);
+  EXPECT_EQ(missing["needed"], countOf(solved.model, "2780"));
+  const json problems = solved.report["problems"];
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [](const json& problem) {
+    const std::string message = problem["message"];
+    return problem["kind"] == "owned" && message.find("2780") != std::string::npos &&
+           message.find("missing") != std::string::npos;
+  })) << problems;
+}
+
+TEST(OwnedParts, AreCountedOnTheModelAlone) {
+  Settings settings;
+  settings.owned = {{"2780", 2}, {"6558", 0}};
+  model::Model model;
+  model.parts.resize(3);
+  for (model::PlacedPart& part : model.parts) {
+    part.part = "2780";
+  }
+  const std::vector<MissingPart> missing = missingParts(model, settings);
+  ASSERT_EQ(missing.size(), 1U);
+  EXPECT_EQ(missing[0].needed, 3);
+  EXPECT_EQ(missing[0].owned, 2);
+}
+
+TEST(OwnedParts, LeaveLengthsOutThatNeedMoreThanThereAre) {
+  // A beam of six holes is two thin ones, 32063.
+  const base::Result<Settings> settings = readSettings(R"({"set": {"owned.32063": 1}})");
+  ASSERT_TRUE(settings.ok());
+  const std::vector<int>& lengths = settings.value().annealing.lengths;
+  EXPECT_EQ(std::find(lengths.begin(), lengths.end(), 6), lengths.end());
+}
+
+struct BadOwned {
+  const char* text;
+  const char* names;
+};
+
+struct RefusedOwned : ::testing::TestWithParam<BadOwned> {};
+
+TEST_P(RefusedOwned, AreNamed) {
+  const base::Result<Settings> settings = readSettings(GetParam().text);
+  ASSERT_FALSE(settings.ok());
+  EXPECT_NE(settings.error().message.find(GetParam().names), std::string::npos)
+      << settings.error().message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    RefusedOwned,
+    ::testing::Values(BadOwned{R"({"set": {"owned.nothing": 1}})", "owned.nothing"},
+                      BadOwned{R"({"set": {"owned.2780": -1}})", "owned.2780"},
+                      BadOwned{R"({"set": {"owned.2780": 1.5}})", "owned.2780"},
+                      BadOwned{R"({"set": {"owned.2780": "some"}})", "owned.2780"},
+                      BadOwned{R"({"set": {"owned.2780": 0}})", "owned.2780"},
+                      BadOwned{R"({"set": {"lengths": "9", "owned.40490": 0}})", "owned"}));
+
+}  // namespace
+}  // namespace liftarm::design
