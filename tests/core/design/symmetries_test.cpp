@@ -17,7 +17,8 @@ TEST(Symmetries, CanBeAddedToTheSketchAsTheyAre) {
   ASSERT_TRUE(found.ok());
   json sketch = json::parse(text);
   std::size_t rotations = 0;
-  for (const json& symmetry : json::parse(found.value())["symmetries"]) {
+  const json offered = json::parse(found.value());
+  for (const json& symmetry : offered["symmetries"]) {
     if (symmetry["kind"] == "rotation") {
       ++rotations;
     } else {
