@@ -70,7 +70,7 @@ for (const [name, content, message] of BAD) {
 test('the link holds the sketch', async ({ page, context }) => {
   await openEmpty(page);
   await openText(page, GOOD, 'good.sketch.json');
-  await expect(page).toHaveURL(/#s1\./);
+  await expect(page).toHaveURL(/#s\d+\./);
   const address = page.url();
 
   const other = await context.browser()?.newContext();

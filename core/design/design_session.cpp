@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/looseness.h"
 #include "design/model_builder.h"
 #include "design/report.h"
 #include "design/settings.h"
@@ -26,7 +27,8 @@ mechanisms::MechanismTable makeTable(const Settings& settings) {
 //! The search that the settings name.
 std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& problem,
                                                  layout::ConnectionSolver& solver,
-                                                 const Settings& settings) {
+                                                 const Settings& settings,
+                                                 const sketch::Sketch& sketch) {
   if (settings.method == kPaperMethod) {
     search::PaperOptions options = settings.paper;
     options.seed = settings.annealing.seed;
@@ -35,7 +37,11 @@ std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& pr
     options.weights = settings.annealing.weights;
     return std::make_unique<search::PaperSearch>(problem, solver, std::move(options));
   }
-  return std::make_unique<search::Annealer>(problem, solver, settings.annealing);
+  search::AnnealingOptions options = settings.annealing;
+  if (objective::isRigid(settings.preset)) {
+    options.looseness = makeLooseness(problem, solver.table(), sketch);
+  }
+  return std::make_unique<search::Annealer>(problem, solver, std::move(options));
 }
 
 class Session final : public DesignSession {
@@ -46,7 +52,7 @@ class Session final : public DesignSession {
         table_(makeTable(settings_)),
         solver_(table_),
         problem_(layout::makeLayoutProblem(guide::buildGuidingGraph(sketch_))),
-        search_(makeSearch(problem_, solver_, settings_)) {}
+        search_(makeSearch(problem_, solver_, settings_, sketch_)) {}
 
   bool advance(std::uint32_t iterations) override { return search_->advance(iterations); }
 

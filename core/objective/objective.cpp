@@ -17,11 +17,11 @@ bool isFaithful(Preset p) {
   return p == Preset::kFaithful || p == Preset::kFaithfulRigid;
 }
 
-bool isRigid(Preset p) {
-  return p == Preset::kFaithfulRigid || p == Preset::kSimpleRigid;
-}
-
 }  // namespace
+
+bool isRigid(Preset preset) {
+  return preset == Preset::kFaithfulRigid || preset == Preset::kSimpleRigid;
+}
 
 Scale scaleOf(const guide::GuidingGraph& graph) {
   Scale scale;

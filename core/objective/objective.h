@@ -19,6 +19,9 @@ enum class Preset { kFaithful, kSimple, kFaithfulRigid, kSimpleRigid };
 std::optional<Preset> presetFromName(std::string_view name);
 std::string_view nameOf(Preset preset);
 
+//! \brief Whether the preset asks for stiffness.
+bool isRigid(Preset preset);
+
 //! \brief Weights of the default search, in units of one connecting part; the same for all
 //! sketches.
 Weights searchWeights(Preset preset);

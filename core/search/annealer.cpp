@@ -15,6 +15,8 @@ namespace {
 constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
+constexpr std::uint32_t kStiffRounds = 3;
+constexpr double kStiffTemperature = 3.0;
 constexpr std::uint32_t kRoundsPerStart = 3;
 constexpr int kLaterStarts = 4;         // of stage one: few, so that they differ
 constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
@@ -64,7 +66,7 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
 
 double Annealer::plainEnergy() const {
   measures_.tallies = layout_.tallies();
-  return objective::value(measures_, softWeights_);
+  return objective::value(measures_, softWeights_) + looseness_;
 }
 
 double Annealer::energy() {
@@ -130,7 +132,12 @@ void Annealer::beginRound() {
 
 void Annealer::finishRound() {
   ++round_;
-  if (best_.tallies.violations() + best_.missing == 0 || round_ > options_.maxRounds) {
+  const bool whole = best_.tallies.violations() + best_.missing == 0;
+  if (whole && options_.looseness && stiffRounds_ < kStiffRounds) {
+    beginStiffening();
+    return;
+  }
+  if (whole || round_ > options_.maxRounds) {
     done_ = true;
     return;
   }
@@ -144,6 +151,40 @@ void Annealer::finishRound() {
   beginRound();
 }
 
+//! A further round from the best layout, in which what is loose costs too.
+void Annealer::beginStiffening() {
+  for (std::size_t r = 0; r < best_.covers.size(); ++r) {
+    layout_.setCover(static_cast<int>(r), best_.covers[r]);
+  }
+  layout_.settleAll();
+  layout_.keep();
+  if (!stiffening_) {
+    stiffening_ = true;
+    options_.startTemperature = kStiffTemperature;
+    looseness_ = options_.looseness(best_);
+    best_.energy += looseness_;
+  }
+  ++stiffRounds_;
+  looseness_ = options_.looseness(snapshot());
+  energy_ = energy();
+  if (looseness_ == 0.0) {
+    done_ = true;
+  }
+  beginRound();
+}
+
+LayoutSnapshot Annealer::snapshot() const {
+  LayoutSnapshot snapshot;
+  snapshot.tallies = layout_.tallies();
+  for (std::size_t r = 0; r < problem_->graph.runs.size(); ++r) {
+    snapshot.covers.push_back(layout_.run(static_cast<int>(r)).cover);
+  }
+  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
+    snapshot.junctions.push_back(layout_.junction(static_cast<int>(j)));
+  }
+  return snapshot;
+}
+
 void Annealer::keepBest() {
   const int violations = layout_.tallies().violations();
   const double plain = plainEnergy();
@@ -155,17 +196,9 @@ void Annealer::keepBest() {
     return;
   }
   ++improvements_;
-  best_.tallies = layout_.tallies();
+  best_ = snapshot();
   best_.energy = plain;
   best_.missing = missing_;
-  best_.covers.clear();
-  best_.junctions.clear();
-  for (std::size_t r = 0; r < problem_->graph.runs.size(); ++r) {
-    best_.covers.push_back(layout_.run(static_cast<int>(r)).cover);
-  }
-  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
-    best_.junctions.push_back(layout_.junction(static_cast<int>(j)));
-  }
 }
 
 void Annealer::raiseWeights() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "base/rng.h"
@@ -39,6 +40,10 @@ struct AnnealingOptions {
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
+  //! What a whole layout costs beyond the energy because it is not stiff, at least 0; empty:
+  //! nothing. It is dear to ask, so only further rounds at the end do, from the best layout without
+  //! it.
+  std::function<double(const LayoutSnapshot&)> looseness;
 };
 
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
@@ -92,6 +97,9 @@ class Annealer final : public LayoutSearch {
   [[nodiscard]] double plainEnergy() const;
   void raiseWeights();
   void keepBest();
+  void beginStiffening();
+  [[nodiscard]] LayoutSnapshot snapshot() const;
+  bool passes(double limit);
 
   const layout::LayoutProblem* problem_;
   AnnealingOptions options_;
@@ -111,6 +119,9 @@ class Annealer final : public LayoutSearch {
   std::uint64_t lastChange_ = 0;
   double temperature_ = 0.0;
   double energy_ = 0.0;
+  bool stiffening_ = false;
+  std::uint32_t stiffRounds_ = 0;
+  double looseness_ = 0.0;                // of the current layout, while stiffening
   mutable objective::Measures measures_;  // reused: the tallies change, the scale does not
   objective::Weights softWeights_{};      // options_.weights without the hard conditions
   double violationWeight_ = 0.0;

@@ -16,6 +16,7 @@ constexpr std::uint32_t kMostMany = 4;
 constexpr double kPickCostly =
     0.5;  // share of moves at a run with more beams than it needs, if any
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
+constexpr double kPickBendStiff = 0.25;
 constexpr double kPickBend = 0.06;    // share of moves that lay an L beam at a corner
 constexpr double kStraighten = 0.25;  // share of moves on a run with L beams that take them out
 constexpr std::uint32_t kMostFollowers = 7;
@@ -295,6 +296,21 @@ bool Annealer::mirror(int run, double noise) {
   return true;
 }
 
+//! Settles what was changed; whether the energy is within the limit then. How loose a layout is, is
+//! asked last, and of whole layouts only.
+bool Annealer::passes(double limit) {
+  const double before = looseness_;
+  looseness_ = 0.0;
+  bool within = layout_.settle([&] { return energy() > limit; }) && energy() <= limit;
+  looseness_ = before;
+  if (within && stiffening_) {
+    looseness_ = layout_.tallies().violations() == 0 ? options_.looseness(snapshot()) : before;
+    within = energy() <= limit;
+    looseness_ = within ? looseness_ : before;
+  }
+  return within;
+}
+
 void Annealer::move() {
   const int run = pickRun();
   const SearchParts& parts = options_.parts;
@@ -302,7 +318,8 @@ void Annealer::move() {
   coverer_.setReach(rng_.unit() < kNearLayers ? 1
                                               : (rng_.unit() < kMoreLayers ? 2 : guide::kMaxLayer));
   const bool many = parts.many && layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
-  const bool corner = !many && parts.corners && rng_.unit() < kPickBend;
+  const bool corner =
+      !many && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
   const bool mirrored = !many && !corner && parts.mirrors && rng_.unit() < kPickMirror;
   bool changed = false;
   if (many) {
@@ -323,8 +340,7 @@ void Annealer::move() {
   // The threshold is drawn first, so that a move that cannot pass it is not connected to its end.
   const double chance = rng_.unit();
   const double limit = chance <= 0.0 ? kNoLimit : energy_ - temperature_ * base::detLog(chance);
-  const bool settled = layout_.settle([&] { return energy() > limit; });
-  if (!settled || energy() > limit) {
+  if (!passes(limit)) {
     layout_.revert();
     return;
   }

@@ -135,6 +135,22 @@ TEST(DesignSession, SolvesPiecesOfOneBeamEach) {
   EXPECT_TRUE(report["buildable"].get<bool>()) << report["problems"];
 }
 
+TEST(DesignSession, TheRigidPresetEndsWithoutFreedoms) {
+  for (const sketch::Sketch& sketch : {testing::squareSketch(8), testing::cubeSketch(8)}) {
+    const auto session = sessionOf(sketch, R"({"seed": 3, "preset": "simple-rigid"})");
+    while (!session->advance(500)) {
+    }
+    const json report = json::parse(session->reportJson());
+    EXPECT_TRUE(report["buildable"].get<bool>()) << report["problems"];
+    EXPECT_EQ(report["freedoms"], 0);
+  }
+}
+
+TEST(DesignSession, TheSimplePresetLeavesASquareLoose) {
+  const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
+  EXPECT_GT(report["freedoms"].get<int>(), 0);
+}
+
 TEST(Report, HasTheKeysOfTheDesignButItsTimes) {
   const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
   for (const char* key : {"name",

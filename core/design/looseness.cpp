@@ -1,0 +1,34 @@
+#include "design/looseness.h"
+
+#include <string>
+
+#include "analysis/coverage.h"
+#include "analysis/freedoms_query.h"
+#include "analysis/scene.h"
+#include "design/model_builder.h"
+#include "sketch/sketch_json.h"
+
+namespace liftarm::design {
+
+namespace {
+
+constexpr double kFreedomCost = 5.0;  // half a beam
+
+}  // namespace
+
+std::function<double(const search::LayoutSnapshot&)> makeLooseness(
+    const layout::LayoutProblem& problem,
+    const mechanisms::MechanismTable& table,
+    const sketch::Sketch& sketch) {
+  // Only joints make the sketch matter to the count.
+  const std::string text = sketch.joints.empty() ? std::string{} : sketch::writeSketch(sketch);
+  return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
+    const model::Model model = buildModel(problem, table, snapshot, "", text);
+    const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
+    const analysis::FreedomsQuery query = analysis::makeFreedomsQuery(
+        scene, analysis::findCoverage(scene), analysis::Friction::kFree);
+    return kFreedomCost * static_cast<double>(analysis::findFreedoms(query).beyondJoints);
+  };
+}
+
+}  // namespace liftarm::design
