@@ -38,15 +38,16 @@ test('a link opens without a network and gives the same model, byte for byte', a
 }) => {
   test.setTimeout(240_000);
   const server = await VersionServer.start();
+  const address = server.address;
   const link = `?room=share${await linkOf(publicSketch('gallery/claw'))}`;
-  await page.goto(server.address + link);
+  await page.goto(address + link);
   const online = await modelOf(page);
   const context = await browser.newContext();
   const other = await context.newPage();
-  await other.goto(server.address);
+  await other.goto(address);
   await installed(other);
   await server.stop();
-  await other.goto(server.address + link);
+  await other.goto(address + link);
   expect(await modelOf(other)).toBe(online);
   await context.close();
 });
