@@ -49,6 +49,30 @@ export const ABLATIONS = [
     about: 'violations that stay do not gain weight.',
   },
   {
+    key: 'walls',
+    title: 'walls',
+    set: ['search.walls=0'],
+    about: 'the first layout lays one run after the other, each where it is cheapest.',
+  },
+  {
+    key: 'mirrors',
+    title: 'mirror moves',
+    set: ['search.mirrors=0'],
+    about: 'no move mirrors the layers of a run and lets what crosses it follow.',
+  },
+  {
+    key: 'costly',
+    title: 'costly runs first',
+    set: ['search.costly=0'],
+    about: 'runs with more beams than they need are not picked more often.',
+  },
+  {
+    key: 'axles',
+    title: 'axles with stops',
+    set: ['connectors=2780,6558,87082,48989,55615'],
+    about: 'no axle with stop and bush: a stack holds three beams.',
+  },
+  {
     key: 'starts',
     title: 'many starts',
     set: ['starts=1'],
