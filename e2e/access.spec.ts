@@ -67,6 +67,8 @@ test('the page speaks German to those who ask for it', async ({ page }) => {
 
 test('every command can be reached from the keyboard', async ({ page }) => {
   await openPage(page);
+  // Which commands there are changes when a search ends: wait for that first.
+  await expect(page.getByTestId('verdict')).toBeAttached({ timeout: 90_000 });
   await page.keyboard.press('Control+k');
   const shown = await page.getByRole('option').count();
   expect(shown).toBeGreaterThan(60);
