@@ -1,21 +1,6 @@
-/** Hands a file to the browser, which saves it where the person wants it. */
-export function download(name: string, content: Blob): void {
-  const address = URL.createObjectURL(content);
-  const link = document.createElement('a');
-  link.href = address;
-  link.download = name;
-  link.click();
-  // The browser reads the address after the click; a minute is plenty.
-  setTimeout(() => URL.revokeObjectURL(address), 60_000);
-}
+import { safeName } from '../ui/share/save-file.ts';
 
-/** A file name from the name of a sketch: letters, digits, and hyphens for everything else. */
+/** The name of a file that the sketch's own commands save. */
 export function fileName(title: string, extension: string): string {
-  const base = title
-    .normalize('NFKD')
-    .replace(/[^\p{L}\p{N}]+/gu, '-')
-    .replace(/^-+|-+$/g, '')
-    .toLowerCase()
-    .slice(0, 60);
-  return `${base || 'sketch'}.${extension}`;
+  return safeName(title, extension, 'sketch');
 }

@@ -7,8 +7,9 @@ import type { SolverClient } from '../solver/client.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { fillWords } from '../tools/tool-words.ts';
+import { saveFile } from '../ui/share/save-file.ts';
 import { text } from '../ui/text.ts';
-import { download, fileName } from './download.ts';
+import { fileName } from './download.ts';
 import { readOpenedFile } from './files.ts';
 import type { PageState } from './page-state.ts';
 import type { SceneBridge } from './scene-bridge.ts';
@@ -147,12 +148,12 @@ export class PageFiles {
   readonly savePicture = (): void => {
     this.#context.scene.view
       ?.renderToPng(PICTURE.width, PICTURE.height)
-      .then((picture) => download(fileName(this.#title(), 'png'), picture))
+      .then((picture) => saveFile(fileName(this.#title(), 'png'), picture))
       .catch((error: unknown) => this.#context.toaster.error(String(error)));
   };
 
   #save(extension: string, content: string, type: string): void {
-    download(fileName(this.#title(), extension), new Blob([content], { type }));
+    saveFile(fileName(this.#title(), extension), new Blob([content], { type }));
   }
 
   /** Puts the sketch into the address. @returns the refusal, or null. */

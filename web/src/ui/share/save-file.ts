@@ -9,13 +9,16 @@ export function saveFile(name: string, content: Blob): void {
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }
 
-/** A file name from the name of a sketch: letters, digits, and hyphens for everything else. */
-export function safeName(title: string, extension: string): string {
+/**
+ * A file name from the name of a sketch: letters, digits, and hyphens for everything else.
+ * `unnamed` stands where nothing is left.
+ */
+export function safeName(title: string, extension: string, unnamed = 'model'): string {
   const base = title
     .normalize('NFKD')
     .replace(/[^\p{L}\p{N}]+/gu, '-')
     .replace(/^-+|-+$/g, '')
     .toLowerCase()
     .slice(0, 60);
-  return `${base || 'model'}.${extension}`;
+  return `${base || unnamed}.${extension}`;
 }
