@@ -38,6 +38,8 @@ export default defineConfig({
       'tests/checks/**/*.test.mjs',
     ],
     environment: 'node',
+    // Node starts threads quicker than processes: the whole run takes half as long.
+    pool: 'threads',
     testTimeout: 60_000,
   },
 });
