@@ -26,8 +26,8 @@ std::vector<Mechanism> knownMechanisms();
 analysis::FreedomsQuery queryOf(const analysis::Linkage& linkage);
 
 //! \brief Internal freedoms counted the plain way: all six velocities of every body, all constraint
-//! rows, dense singular values; less six for each connected assembly.
-int nullityByValues(const analysis::Linkage& linkage);
+//! rows, dense Householder factors; less six for each connected assembly.
+int nullityByReflections(const analysis::Linkage& linkage);
 
 //! \brief The largest violation of a constraint row by velocities of the bodies.
 double violation(const analysis::Linkage& linkage, const std::vector<analysis::Twist>& twists);
