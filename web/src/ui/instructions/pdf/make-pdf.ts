@@ -29,6 +29,7 @@ import {
   partsGrid,
   printable,
   stepBoxes,
+  wrap,
 } from './paper.ts';
 
 /** Pixels of a picture for one point: 200 dots an inch. */
@@ -189,17 +190,14 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
     write(press, page, `${row.count}x`, { x: x + 4, y: y - 78, size: 14, strong: true });
     write(press, page, row.part, { x: x + 40, y: y - 78, size: 10 });
     const name = press.book.shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? '';
-    const line = shorten(press, `${name}, ${colourName(row.color)}`, cell - 10, 7);
-    write(press, page, line, { x: x + 4, y: y - 89, size: 7, quiet: true });
+    const title = `${name}, ${colourName(row.color)}`;
+    const lines = wrap(printable(title), cell - 10, (line) =>
+      press.plain.widthOfTextAtSize(line, 8),
+    );
+    for (const [k, line] of lines.entries()) {
+      write(press, page, line, { x: x + 4, y: y - 88 - 9 * k, size: 8, quiet: true });
+    }
   }
-}
-
-function shorten(press: Press, text: string, width: number, size: number): string {
-  let safe = printable(text);
-  while (safe.length > 4 && press.plain.widthOfTextAtSize(safe, size) > width) {
-    safe = `${safe.slice(0, -4)}...`;
-  }
-  return safe;
 }
 
 async function stepsPage(press: Press, indices: readonly number[]): Promise<void> {

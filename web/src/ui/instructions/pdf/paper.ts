@@ -53,3 +53,27 @@ export function pageSteps(count: number): number[][] {
   }
   return pages;
 }
+
+/**
+ * Breaks words into at most two lines.
+ * @param widthOf of a text in the wanted font
+ * @returns the lines; what does not fit into the second ends with dots.
+ */
+export function wrap(text: string, width: number, widthOf: (line: string) => number): string[] {
+  const words = text.split(' ');
+  let first = words.shift() ?? '';
+  while (words[0] !== undefined && widthOf(`${first} ${words[0]}`) <= width) {
+    first += ` ${words.shift()}`;
+  }
+  return [first, words.join(' ')]
+    .filter((line) => line !== '')
+    .map((line) => cut(line, width, widthOf));
+}
+
+function cut(line: string, width: number, widthOf: (line: string) => number): string {
+  let shown = line;
+  while (shown.length > 4 && widthOf(shown) > width) {
+    shown = `${shown.slice(0, -4)}...`;
+  }
+  return shown;
+}
