@@ -7,7 +7,9 @@ import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import gifenc from 'gifenc';
 import { encodePng } from './lib/indexed-png.mjs';
+import { loadCore } from './lib/load-core.mjs';
 import { loadTypeScript } from './lib/load-typescript.mjs';
+import { drawSheet, launchBrowser } from './lib/picture-sheet.mjs';
 import { capture, exitWith, StepError, TOP } from './lib/run.mjs';
 
 const GALLERY = resolve(TOP, 'public/gallery');
@@ -60,18 +62,51 @@ function drawOurs(model, file, tools) {
   writeFileSync(file, encodePng(picture.width, picture.height, indices, palette));
 }
 
+/** Puts the gears of a row into its model, and exports that once more with the shipped module. */
+function addGears(row, stem, tools, core) {
+  const gears = JSON.parse(readFileSync(resolve(GALLERY, row.gears), 'utf8'));
+  const train = tools.readGearTrain(gears, tools.catalogue);
+  if (!train.ok) {
+    throw new StepError(`${row.id}: ${train.message}`);
+  }
+  const frame = readFileSync(`${stem}.model.json`, 'utf8');
+  const whole = tools.withTrain(frame, train.value, tools.catalogue);
+  const { status, text } = core.exportModel(whole, 'mpd');
+  if (status !== 'ok') {
+    throw new StepError(`${row.id}: ${text}`);
+  }
+  writeFileSync(`${stem}.model.json`, whole);
+  writeFileSync(`${stem}.mpd`, text);
+}
+
+/** Ours and LeoCAD's side by side, two models in a row. */
+async function layOut(pictures) {
+  const browser = await launchBrowser();
+  try {
+    const page = await browser.newPage({ viewport: { width: 1320, height: 800 } });
+    await drawSheet(page, pictures, join(options.out, 'sheet.png'), 310);
+  } finally {
+    await browser.close();
+  }
+}
+
 async function main() {
   if (!existsSync(LDRAW)) {
     throw new StepError('../shared/ldraw is not there');
   }
   const { tools } = await loadTypeScript('scripts/lib/gallery-tools.ts');
+  const core = await loadCore();
   mkdirSync(options.out, { recursive: true });
   const { models } = JSON.parse(readFileSync(resolve(GALLERY, 'index.json'), 'utf8'));
   const faults = [];
+  const pictures = [];
   for (const row of models.filter(({ id }) => !options.only || id === options.only)) {
     const args = ['solve', resolve(GALLERY, row.file), '-o', options.out, '--seed', '1', '--json'];
     const { code } = capture(options.command, args);
     const stem = join(options.out, row.file.split('/').at(-1).replace('.sketch.json', ''));
+    if (row.gears) {
+      addGears(row, stem, tools, core);
+    }
     const mpd = `${stem}.mpd`;
     const picture = `${stem}.leocad.png`;
     const { said } = render(mpd, picture);
@@ -81,8 +116,13 @@ async function main() {
       faults.push(`${row.id}: exit ${code}, missing ${missing.join(' ') || 'none'}, ${said}`);
     }
     drawOurs(JSON.parse(readFileSync(`${stem}.model.json`, 'utf8')), `${stem}.ours.png`, tools);
+    pictures.push(
+      { file: `${stem}.ours.png`, title: `${row.id}, ours` },
+      ...(drawn ? [{ file: picture, title: `${row.id}, LeoCAD` }] : []),
+    );
     console.log(`${row.id.padEnd(16)} ${drawn ? 'drawn' : 'NOT DRAWN'} ${said.split('\n')[0]}`);
   }
+  await layOut(pictures);
   if (faults.length > 0) {
     throw new StepError(faults.join('\n'));
   }

@@ -76,15 +76,17 @@ async function main() {
   const rows = [];
   for (const row of index.models) {
     const { report, model } = solve(row);
+    const gears = gearParts(row, tools);
+    const gearMass = gears.reduce((sum, { part }) => sum + tools.catalogue.find(part).mass, 0);
     const figures = {
       beams: report.beams,
-      bricks: report.bricks,
-      mass: Math.round(report.mass),
+      bricks: report.bricks + gears.length,
+      mass: Math.round(report.mass + gearMass),
     };
     console.log(`${row.id.padEnd(16)} ${figures.beams} beams, ${figures.bricks} parts`);
     rows.push({ ...row, ...figures });
     if (!options.check) {
-      drawThumbnail(row, [...model.parts, ...gearParts(row, tools)], tools);
+      drawThumbnail(row, [...model.parts, ...gears], tools);
     }
   }
   if (!options.check) {

@@ -1,7 +1,8 @@
-// What scripts/gallery.mjs takes from the page: the catalogue, the renderer, the gears.
+// What the scripts about the gallery take from the page: the catalogue, the renderer, the gears, links.
 import catalogueFile from '../../core/parts/catalogue.json';
 import { readCatalogue } from '../../web/src/model/catalogue.ts';
-import { placeTrain, readGearTrain } from '../../web/src/ui/gallery/gear-train.ts';
+import { encodeShare } from '../../web/src/share/codec.ts';
+import { placeTrain, readGearTrain, withTrain } from '../../web/src/ui/gallery/gear-train.ts';
 import { cameraFor, ISO_OUT } from '../../web/src/view/drawing/drawing-camera.ts';
 import { drawn, MeshShelf } from '../../web/src/view/drawing/drawn-part.ts';
 import { drawPicture } from '../../web/src/view/drawing/picture.ts';
@@ -13,6 +14,8 @@ export const tools = {
   shelf: new MeshShelf(catalogue),
   placeTrain,
   readGearTrain,
+  withTrain,
+  encodeShare,
   cameraFor,
   ISO_OUT,
   drawn,

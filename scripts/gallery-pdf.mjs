@@ -1,0 +1,125 @@
+// `node scripts/gallery-pdf.mjs [--only ID] [--paper A4|Letter] [--lang de]`: saves the instructions of
+// every gallery model as PDF with the built page, and lays their pages out on one sheet a model, to be
+// looked at: build/pdf/ID.sheet.png. Needs dist/, build/wasm/, Chromium, and pdftoppm for the sheets.
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { join, resolve } from 'node:path';
+import { parseArgs } from 'node:util';
+import { loadCore } from './lib/load-core.mjs';
+import { loadTypeScript } from './lib/load-typescript.mjs';
+import { drawSheet, launchBrowser } from './lib/picture-sheet.mjs';
+import { exitWith, freePort, StepError, TOP } from './lib/run.mjs';
+
+const GALLERY = resolve(TOP, 'public/gallery');
+const PATIENCE_MS = 120_000;
+/** Dots an inch of the sheets: enough to see overlaps and cut words. */
+const SHEET_DENSITY = 50;
+
+const { values: options } = parseArgs({
+  options: {
+    out: { type: 'string', default: resolve(TOP, 'build/pdf') },
+    only: { type: 'string' },
+    paper: { type: 'string', default: 'A4' },
+    lang: { type: 'string', default: 'en' },
+  },
+});
+
+const json = (file) => JSON.parse(readFileSync(resolve(GALLERY, file), 'utf8'));
+
+/** The model file of a row: with its gears where it has some. */
+function modelOf(row, tools, core) {
+  const sketch = readFileSync(resolve(GALLERY, row.file), 'utf8');
+  const session = new core.SolverSession(sketch, JSON.stringify({ seed: 1, preset: 'simple' }));
+  try {
+    while (!session.advance(5000)) {
+      // The search goes on.
+    }
+    const model = session.modelJson();
+    if (!row.gears) {
+      return model;
+    }
+    const train = tools.readGearTrain(json(row.gears), tools.catalogue);
+    if (!train.ok) {
+      throw new StepError(`${row.id}: ${train.message}`);
+    }
+    return tools.withTrain(model, train.value, tools.catalogue);
+  } finally {
+    session.delete();
+  }
+}
+
+/** Opens a model in the page and saves its instructions. @returns the PDF's file. */
+async function savePdf(page, model, row) {
+  const waiting = page.waitForEvent('filechooser');
+  await page.keyboard.press('Control+o');
+  const file = { name: `${row.id}.model.json`, mimeType: 'application/json' };
+  await (await waiting).setFiles({ ...file, buffer: Buffer.from(model) });
+  const parts = JSON.parse(model).parts.length;
+  await page.locator('dd', { hasText: new RegExp(`^${parts}$`) }).waitFor();
+  await page.getByTestId('verdict').waitFor();
+  await goTo(page, '?room=instructions');
+  await page.locator('.step-picture canvas[data-step]').waitFor();
+  const [saved] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: `(${options.paper})` }).click(),
+  ]);
+  const path = join(options.out, `${row.id}.pdf`);
+  await saved.saveAs(path);
+  await goTo(page, '?');
+  await page.locator('.room').waitFor({ state: 'detached' });
+  return path;
+}
+
+/** As the browser's own buttons do it: the page is not loaded again. */
+function goTo(page, search) {
+  return page.evaluate((to) => {
+    history.pushState(history.state, '', to);
+    window.dispatchEvent(new PopStateEvent('popstate'));
+  }, search);
+}
+
+/** Lays the pages of a PDF out on one picture. @returns how many there are. */
+async function layOut(sheet, pdf, row) {
+  const folder = join(options.out, row.id);
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder);
+  const args = ['-png', '-r', `${SHEET_DENSITY}`, pdf, join(folder, 'page')];
+  if (spawnSync('pdftoppm', args).status !== 0) {
+    throw new StepError('pdftoppm is missing (Debian: poppler-utils) or refused the file');
+  }
+  const pages = readdirSync(folder).sort();
+  const pictures = pages.map((title) => ({ file: join(folder, title), title }));
+  await drawSheet(sheet, pictures, join(options.out, `${row.id}.sheet.png`));
+  return pages.length;
+}
+
+async function main() {
+  const { tools } = await loadTypeScript('scripts/lib/gallery-tools.ts');
+  const core = await loadCore();
+  mkdirSync(options.out, { recursive: true });
+  const port = await freePort(4480);
+  const server = spawn(process.execPath, ['scripts/serve.mjs', '--port', `${port}`], { cwd: TOP });
+  await new Promise((ready) => server.stdout.once('data', ready));
+  const browser = await launchBrowser();
+  try {
+    const context = await browser.newContext({ locale: options.lang, reducedMotion: 'reduce' });
+    context.setDefaultTimeout(PATIENCE_MS);
+    await context.addInitScript(() => {
+      localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
+    });
+    const [page, sheet] = [await context.newPage(), await browser.newPage()];
+    await page.goto(`http://127.0.0.1:${port}/`);
+    await page.locator('.scene canvas').waitFor();
+    for (const row of json('index.json').models) {
+      if (!options.only || options.only.split(',').includes(row.id)) {
+        const pdf = await savePdf(page, modelOf(row, tools, core), row);
+        console.log(`${row.id.padEnd(16)} ${await layOut(sheet, pdf, row)} pages`);
+      }
+    }
+  } finally {
+    await browser.close();
+    server.kill();
+  }
+}
+
+main().catch(exitWith);
