@@ -4,7 +4,7 @@ import { addLines } from '../../state/edits.ts';
 import { usePage } from '../page-context.ts';
 import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
-import { MotionPlayer } from './motion-player.tsx';
+import { MotionPlayer, useSceneDisplay } from './motion-player.tsx';
 import { answerOf, motionStatus } from './motion-status.ts';
 import { type MotionStudy, motionStudyOf } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
@@ -85,6 +85,7 @@ function Motions(props: {
   readonly onOpen: (motion: number | null) => void;
 }) {
   const { answer, study, open, onOpen } = props;
+  const onDisplay = useSceneDisplay();
   const loose = answer.motions.flatMap((motion, index) =>
     motion.joint === null ? [{ index, parts: motion.parts.length }] : [],
   );
@@ -101,7 +102,9 @@ function Motions(props: {
             {words.motion(String(i + 1))}
           </button>{' '}
           <span class="quiet">{words.motionParts(String(parts))}</span>
-          {open === index ? <MotionPlayer study={study} mover={{ of: 'motion', index }} /> : null}
+          {open === index ? (
+            <MotionPlayer study={study} mover={{ of: 'motion', index }} onDisplay={onDisplay} />
+          ) : null}
         </li>
       ))}
     </ul>

@@ -1,10 +1,11 @@
 import { useState } from 'preact/hooks';
 import type { JointRange, MotionAnswer } from '../../model/motion.ts';
+import type { PartDisplay } from '../../view/view-types.ts';
 import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
-import { MotionPlayer } from './motion-player.tsx';
+import { MotionPlayer, useSceneDisplay } from './motion-player.tsx';
 import { answerOf, motionStatus } from './motion-status.ts';
-import { motionStudyOf } from './motion-study.ts';
+import { type MotionStudy, motionStudyOf } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
 import './motion.css';
 
@@ -38,18 +39,28 @@ export function rangeText(range: JointRange): string {
 }
 
 function JointsCheck({ shown }: CheckProps) {
-  const study = motionStudyOf(shown);
+  const onDisplay = useSceneDisplay();
   const answer = answerOf(shown);
-  const [open, setOpen] = useState(0);
   if (!answer) {
     return null;
   }
-  if (answer.joints.length === 0) {
+  return <JointList joints={answer.joints} study={motionStudyOf(shown)} onDisplay={onDisplay} />;
+}
+
+/** The joints with their ranges; the one that is open can be turned. */
+export function JointList(props: {
+  readonly joints: readonly JointRange[];
+  readonly study: MotionStudy;
+  readonly onDisplay: (display: PartDisplay | null) => void;
+}) {
+  const { joints, study, onDisplay } = props;
+  const [open, setOpen] = useState(0);
+  if (joints.length === 0) {
     return <p class="quiet">{words.aboutNoJoints}</p>;
   }
   return (
     <ul class="motion-list">
-      {answer.joints.map((joint) => (
+      {joints.map((joint) => (
         <li key={joint.index}>
           <button
             type="button"
@@ -62,7 +73,12 @@ function JointsCheck({ shown }: CheckProps) {
           <span class="quiet">{rangeText(joint)}</span>
           {joint.turns ? null : <p class="quiet">{joint.message}</p>}
           {open === joint.index && joint.turns ? (
-            <MotionPlayer study={study} mover={{ of: 'joint', index: joint.index }} range={joint} />
+            <MotionPlayer
+              study={study}
+              mover={{ of: 'joint', index: joint.index }}
+              range={joint}
+              onDisplay={onDisplay}
+            />
           ) : null}
         </li>
       ))}

@@ -1,5 +1,6 @@
-import { useEffect, useState } from 'preact/hooks';
+import { useCallback, useEffect, useState } from 'preact/hooks';
 import { type JointRange, type MotionPath, posesAt } from '../../model/motion.ts';
+import type { PartDisplay } from '../../view/view-types.ts';
 import { Icon } from '../icon.tsx';
 import { usePage } from '../page-context.ts';
 import { formatNumber } from '../text/language.ts';
@@ -15,12 +16,14 @@ export function MotionPlayer(props: {
   readonly study: MotionStudy;
   readonly mover: Mover;
   readonly range?: JointRange;
+  /** Draws parts as they are moved; null when the motion closes. Must stay the same function. */
+  readonly onDisplay: (display: PartDisplay | null) => void;
 }) {
-  const { study, mover, range } = props;
+  const { study, mover, range, onDisplay } = props;
   const { path, error } = usePath(study, mover);
   const [degrees, setDegrees] = useState(0);
   const [playing, setPlaying] = useState(false);
-  usePosed(path, degrees, range);
+  usePosed(path, degrees, range, onDisplay);
   usePlaying(path, playing, setDegrees);
   if (error) {
     return (
@@ -65,6 +68,17 @@ export function MotionPlayer(props: {
   );
 }
 
+/** Draws the model of the drawing as somebody wants it. */
+export function useSceneDisplay(): (display: PartDisplay | null) => void {
+  const page = usePage();
+  return useCallback(
+    (display: PartDisplay | null) => {
+      page.display.value = display;
+    },
+    [page],
+  );
+}
+
 function usePath(study: MotionStudy, mover: Mover) {
   const [found, setFound] = useState<{ path: MotionPath | null; error: string }>({
     path: null,
@@ -97,22 +111,21 @@ function stopAt(range: JointRange | undefined, degrees: number): readonly number
   return degrees >= range.to - AT_STOP ? range.stoppedBy.to : [];
 }
 
-function usePosed(path: MotionPath | null, degrees: number, range: JointRange | undefined): void {
-  const page = usePage();
+function usePosed(
+  path: MotionPath | null,
+  degrees: number,
+  range: JointRange | undefined,
+  onDisplay: (display: PartDisplay | null) => void,
+): void {
   useEffect(() => {
     if (path?.turns) {
-      page.display.value = {
+      onDisplay({
         poses: posesAt(path, degrees),
         highlighted: new Set(stopAt(range, degrees)),
-      };
+      });
     }
-  }, [page, path, degrees, range]);
-  useEffect(
-    () => () => {
-      page.display.value = null;
-    },
-    [page],
-  );
+  }, [onDisplay, path, degrees, range]);
+  useEffect(() => () => onDisplay(null), [onDisplay]);
 }
 
 /** There and back between the ends, slower than the eye. */

@@ -46,6 +46,15 @@ export class MotionStudy {
     }
   }
 
+  /** How the model stands and moves. Rejects when it cannot be computed. */
+  async answer(): Promise<MotionAnswer> {
+    const reply = await this.#solver().ask({ about: 'motion', modelJson: this.#json });
+    if (reply.outcome !== 'ok') {
+      throw new Error(reply.message);
+    }
+    return readMotionAnswer(reply.text);
+  }
+
   /** Key poses of a motion. Rejects when they cannot be computed. */
   path(mover: Mover): Promise<MotionPath> {
     const key = `${mover.of} ${mover.index}`;
@@ -68,11 +77,7 @@ export class MotionStudy {
 
   async #ask(): Promise<void> {
     try {
-      const reply = await this.#solver().ask({ about: 'motion', modelJson: this.#json });
-      this.#progress.value =
-        reply.outcome === 'ok'
-          ? { state: 'done', answer: readMotionAnswer(reply.text) }
-          : { state: 'failed', message: reply.message };
+      this.#progress.value = { state: 'done', answer: await this.answer() };
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
       this.#progress.value = { state: 'failed', message };

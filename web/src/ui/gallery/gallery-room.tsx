@@ -6,6 +6,7 @@ import { formatNumber } from '../text/language.ts';
 import { type GalleryRow, loadGallery, loadGallerySketch, thumbnailOf } from './gallery-index.ts';
 import { galleryWords as words } from './gallery-words.ts';
 import { GearView } from './gear-view.tsx';
+import { JointView } from './joint-view.tsx';
 import './gallery.css';
 
 /** The paper's models as our own drawings, and two with gears. */
@@ -37,7 +38,12 @@ export function GalleryRoom() {
     setSaid({ text: fillWords(words.copied, { name: row.title }), bad: false });
   };
   if (turning) {
-    return <GearView row={turning} onBack={() => setTurning(null)} />;
+    const back = () => setTurning(null);
+    return turning.gears ? (
+      <GearView row={turning} onBack={back} />
+    ) : (
+      <JointView row={turning} onBack={back} />
+    );
   }
   return (
     <div class="gallery">
@@ -54,7 +60,7 @@ export function GalleryRoom() {
             onCopy={() => {
               copy(row).catch(failed);
             }}
-            onTurn={row.gears ? () => setTurning(row) : null}
+            onTurn={row.gears || row.moves ? () => setTurning(row) : null}
           />
         ))}
       </ul>
@@ -89,7 +95,7 @@ function GalleryCard(props: {
       <div class="gallery-buttons">
         {onTurn ? (
           <button type="button" class="button" onClick={onTurn}>
-            {words.turn}
+            {row.gears ? words.turn : words.move}
           </button>
         ) : null}
         <button type="button" class="button plain" onClick={onCopy}>

@@ -141,6 +141,18 @@ export function placeTrain(train: GearTrain, turn: number, catalogue: Catalogue)
   });
 }
 
+/**
+ * The model file of a frame with a train in it, as it stands when it is built. The boxes that kept
+ * room for the gears are left out: the gears are in them now.
+ */
+export function withTrain(frameJson: string, train: GearTrain, catalogue: Catalogue): string {
+  // Our own module's text: its form is what the contract tests hold.
+  const frame = JSON.parse(frameJson) as { parts: PlacedPart[]; sketch?: { keepOut?: unknown } };
+  const { keepOut: _, ...sketch } = frame.sketch ?? {};
+  const parts = [...frame.parts, ...placeTrain(train, 0, catalogue)];
+  return JSON.stringify({ ...frame, parts, ...(frame.sketch ? { sketch } : {}) });
+}
+
 function multiply(a: Mat3, b: Mat3): Mat3 {
   const entry = (row: number, column: number) =>
     [0, 1, 2].reduce((sum, k) => sum + (a[3 * row + k] ?? 0) * (b[3 * k + column] ?? 0), 0);

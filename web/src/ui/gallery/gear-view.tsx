@@ -1,105 +1,74 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
 import { fillWords } from '../../tools/tool-words.ts';
-import { StillRenderer } from '../../view/still/still-renderer.ts';
 import { usePage } from '../page-context.ts';
 import { solveSketch } from '../share/solved-parts.ts';
 import { formatNumber } from '../text/language.ts';
 import { fetchJson, type GalleryRow, galleryFile, loadGallerySketch } from './gallery-index.ts';
+import { GalleryView, useLoaded } from './gallery-view.tsx';
 import { galleryWords as words } from './gallery-words.ts';
-import { type GearTrain, placeTrain, readGearTrain } from './gear-train.ts';
+import { type GearTrain, placeTrain, readGearTrain, withTrain } from './gear-train.ts';
+import { MovingPicture } from './moving-picture.tsx';
 
-const SIZE = { width: 960, height: 600 } as const;
 const SECONDS_A_TURN = 4;
 
 interface Geared {
+  readonly title: string;
   readonly frame: readonly PlacedPart[];
   readonly train: GearTrain;
+  /** The model file of frame and gears together. */
+  readonly json: string;
 }
 
 /** A gallery model whose gears turn: by a crank, or by themselves. */
-export function GearView({
-  row,
-  onBack,
-}: {
-  readonly row: GalleryRow;
-  readonly onBack: () => void;
-}) {
+export function GearView(props: { readonly row: GalleryRow; readonly onBack: () => void }) {
+  const { row, onBack } = props;
   const { catalogue, preferences } = usePage();
-  const [geared, setGeared] = useState<Geared | null>(null);
-  const [failure, setFailure] = useState('');
   const { preset } = preferences.value;
-  useEffect(() => {
-    const load = async (): Promise<Geared> => {
-      const [{ sketch }, gears] = await Promise.all([
-        loadGallerySketch(row),
-        fetchJson(galleryFile(row.gears ?? '')),
-      ]);
-      const train = readGearTrain(gears, catalogue);
-      if (!train.ok) {
-        throw new Error(train.message);
-      }
-      const { parts } = await solveSketch(sketch, { preset, seed: 1 });
-      return { frame: parts, train: train.value };
-    };
-    load().then(setGeared, (error: unknown) =>
-      setFailure(fillWords(words.failed, { message: String(error) })),
-    );
-  }, [row, catalogue, preset]);
+  const loaded = useLoaded(() => load(row, preset, catalogue), [row, preset, catalogue]);
   return (
-    <div class="gear-view">
-      <button type="button" class="button plain" onClick={onBack}>
-        {words.back}
-      </button>
-      <h3>{row.title}</h3>
-      <p class="quiet">{row.text}</p>
-      {failure ? <p role="alert">{failure}</p> : null}
-      {geared ? <Turning geared={geared} /> : failure ? null : <p role="status">{words.working}</p>}
-    </div>
+    <GalleryView row={row} onBack={onBack} loaded={loaded}>
+      {(geared) => <Turning geared={geared} />}
+    </GalleryView>
   );
 }
 
+async function load(row: GalleryRow, preset: string, catalogue: Catalogue): Promise<Geared> {
+  const [{ sketch }, gears] = await Promise.all([
+    loadGallerySketch(row),
+    fetchJson(galleryFile(row.gears ?? '')),
+  ]);
+  const train = readGearTrain(gears, catalogue);
+  if (!train.ok) {
+    throw new Error(train.message);
+  }
+  const { parts, json } = await solveSketch(sketch, { preset, seed: 1 });
+  return {
+    title: row.title,
+    frame: parts,
+    train: train.value,
+    json: withTrain(json, train.value, catalogue),
+  };
+}
+
 function Turning({ geared }: { readonly geared: Geared }) {
-  const { catalogue } = usePage();
+  const { catalogue, openFile, openRoom } = usePage();
   const { train, frame } = geared;
-  const host = useRef<HTMLDivElement>(null);
-  const renderer = useRef<StillRenderer | null>(null);
   const [turns, setTurns] = useState(0);
   const [auto, setAuto] = useState(false);
-  useEffect(() => {
-    const made = new StillRenderer(catalogue);
-    renderer.current = made;
-    host.current?.append(made.canvas);
-    return () => {
-      made.canvas.remove();
-      made.dispose();
-    };
-  }, [catalogue]);
-  useEffect(() => {
-    const gears = placeTrain(train, turns * 2 * Math.PI, catalogue);
-    renderer.current?.draw({
-      ...SIZE,
-      parts: [...frame, ...gears],
-      direction: [-0.35, -0.8, 0.5],
-      backdrop: 'studio',
-    });
-  }, [turns, train, frame, catalogue]);
-  useEffect(() => {
-    if (!auto) {
-      return undefined;
-    }
-    let last = performance.now();
-    let request = requestAnimationFrame(function next(now) {
-      const moved = (now - last) / 1000 / SECONDS_A_TURN;
-      last = now;
-      setTurns((value) => value + moved);
-      request = requestAnimationFrame(next);
-    });
-    return () => cancelAnimationFrame(request);
-  }, [auto]);
+  const parts = useMemo(
+    () => [...frame, ...placeTrain(train, turns * 2 * Math.PI, catalogue)],
+    [frame, train, turns, catalogue],
+  );
+  useTurning(auto, setTurns);
+  const openWhole = () => {
+    openRoom(null);
+    openFile(new File([geared.json], `${geared.title}.model.json`, { type: 'application/json' }));
+  };
   return (
     <>
-      <div class="gear-host" ref={host} role="img" aria-label={words.gearsLabel} />
+      <MovingPicture parts={parts} label={words.gearsLabel} />
       <div class="gear-bar">
         <label>
           {words.crank}
@@ -123,10 +92,29 @@ function Turning({ geared }: { readonly geared: Geared }) {
           />
           {words.auto}
         </label>
+        <button type="button" class="button" onClick={openWhole}>
+          {words.openWhole}
+        </button>
       </div>
       <Ratio train={train} turns={turns} />
     </>
   );
+}
+
+function useTurning(auto: boolean, setTurns: (change: (before: number) => number) => void): void {
+  useEffect(() => {
+    if (!auto) {
+      return undefined;
+    }
+    let last = performance.now();
+    let request = requestAnimationFrame(function next(now) {
+      const moved = (now - last) / 1000 / SECONDS_A_TURN;
+      last = now;
+      setTurns((value) => value + moved);
+      request = requestAnimationFrame(next);
+    });
+    return () => cancelAnimationFrame(request);
+  }, [auto, setTurns]);
 }
 
 function Ratio({ train, turns }: { readonly train: GearTrain; readonly turns: number }) {

@@ -1,0 +1,116 @@
+import { readFileSync } from 'node:fs';
+import { beforeAll, describe, expect, it } from 'vitest';
+import type { PlacedPart } from '../../web/src/model/model.ts';
+import { posesAt, readMotionAnswer, readMotionPath } from '../../web/src/model/motion.ts';
+import type { SolverModule } from '../../web/src/solver/solver-module.ts';
+import { placeTrain, readGearTrain, withTrain } from '../../web/src/ui/gallery/gear-train.ts';
+import { catalogue } from '../web/view/helpers/catalogue.ts';
+import { loadModule, solveWithModule } from './module.ts';
+
+// What the gallery moves, judged by the module that the page ships.
+
+const FOLDER = new URL('../../public/gallery/', import.meta.url);
+const text = (file: string) => readFileSync(new URL(file, FOLDER), 'utf8');
+const { models } = JSON.parse(text('index.json')) as {
+  models: { id: string; file: string; moves: boolean; gears?: string }[];
+};
+
+interface Check {
+  readonly buildable: boolean;
+  readonly items: readonly { readonly id: string; readonly ok: boolean }[];
+  readonly problems: readonly { readonly message: string }[];
+}
+
+let module: SolverModule;
+
+beforeAll(async () => {
+  module = await loadModule();
+});
+
+function solved(file: string): string {
+  return solveWithModule(module, text(file), { seed: 1, preset: 'simple' }).modelJson;
+}
+
+function checked(model: object): Check {
+  const reply = module.checkModelJson(JSON.stringify(model));
+  expect(reply.status).toBe('ok');
+  return JSON.parse(reply.text) as Check;
+}
+
+const collisionsOf = (check: Check) =>
+  check.items.find(({ id }) => id === 'interpenetration')?.ok
+    ? []
+    : check.problems.map(({ message }) => message);
+
+describe.each(models.filter(({ moves }) => moves))('joints of $id', ({ file }) => {
+  it('turn within their ranges, and nothing collides on the way', () => {
+    const json = solved(file);
+    const model = JSON.parse(json) as { parts: PlacedPart[]; sketch: { joints: unknown[] } };
+    const { joints } = readMotionAnswer(module.analyseMotionJson(json).text);
+    expect(joints).toHaveLength(model.sketch.joints.length);
+    expect(joints.length).toBeGreaterThan(0);
+    for (const joint of joints) {
+      expect(joint.turns, joint.message).toBe(true);
+      expect(joint.from).toBeLessThanOrEqual(0);
+      expect(joint.to - joint.from).toBeGreaterThan(5);
+      const path = readMotionPath(module.jointMotionJson(json, joint.index).text);
+      expect(path.angles[0]).toBeCloseTo(joint.from, 0);
+      expect(path.angles.at(-1)).toBeCloseTo(joint.to, 0);
+      for (const share of [0.05, 0.35, 0.65, 0.95]) {
+        const poses = posesAt(path, joint.from + share * (joint.to - joint.from));
+        const parts = model.parts.map((part, i) => ({ ...part, ...poses.get(i) }));
+        expect(poses.size).toBeGreaterThan(0);
+        const { sketch: _, ...moved } = model;
+        expect(collisionsOf(checked({ ...moved, parts }))).toEqual([]);
+      }
+    }
+  }, 60_000);
+});
+
+describe.each(models.filter(({ gears }) => gears))('gears of $id', ({ file, gears }) => {
+  const train = () => {
+    const read = readGearTrain(JSON.parse(text(gears ?? '')), catalogue);
+    if (!read.ok) {
+      throw new Error(read.message);
+    }
+    return read.value;
+  };
+
+  it('make one buildable model with their frame', () => {
+    const check = checked(JSON.parse(withTrain(solved(file), train(), catalogue)) as object);
+    expect(check.problems).toEqual([]);
+    expect(check.buildable).toBe(true);
+  });
+
+  // The module takes a gear as the cylinder that its teeth sweep.
+  it('touch nothing while they turn', () => {
+    const whole = JSON.parse(withTrain(solved(file), train(), catalogue)) as {
+      parts: PlacedPart[];
+    };
+    const still = whole.parts.length - placeTrain(train(), 0, catalogue).length;
+    for (const turn of [0.1, 0.4, 1.1, 2.9]) {
+      const turned = placeTrain(train(), turn, catalogue);
+      const parts = [...whole.parts.slice(0, still), ...turned];
+      expect(collisionsOf(checked({ ...whole, parts }))).toEqual([]);
+    }
+  });
+
+  it('would be found in a beam, or too near each other', () => {
+    const whole = JSON.parse(withTrain(solved(file), train(), catalogue)) as {
+      parts: PlacedPart[];
+    };
+    const gear = whole.parts.findIndex(({ part }) => part === '3649');
+    for (const shift of [
+      [0, 1, 0],
+      [-0.5, 0, 0],
+      [0, -3, 0],
+    ] as const) {
+      const parts = whole.parts.map((part, i) => {
+        const [x, y, z] = part.position;
+        const position = [x + shift[0], y + shift[1], z + shift[2]] as const;
+        return i === gear ? { ...part, position } : part;
+      });
+      expect(collisionsOf(checked({ ...whole, parts }))).not.toEqual([]);
+    }
+  });
+});

@@ -1,0 +1,76 @@
+import { useState } from 'preact/hooks';
+import { modelCorners } from '../../model/bounds.ts';
+import type { Catalogue } from '../../model/catalogue.ts';
+import type { PlacedPart } from '../../model/model.ts';
+import { type MotionAnswer, posesAt } from '../../model/motion.ts';
+import type { Vec3 } from '../../model/vec.ts';
+import type { PartDisplay } from '../../view/view-types.ts';
+import { JointList } from '../checks/joints.tsx';
+import { MotionStudy } from '../checks/motion-study.ts';
+import { usePage } from '../page-context.ts';
+import { solveSketch } from '../share/solved-parts.ts';
+import { type GalleryRow, loadGallerySketch } from './gallery-index.ts';
+import { GalleryView, useLoaded } from './gallery-view.tsx';
+import { galleryWords as words } from './gallery-words.ts';
+import { MovingPicture } from './moving-picture.tsx';
+
+interface Moving {
+  readonly parts: readonly PlacedPart[];
+  readonly study: MotionStudy;
+  readonly answer: MotionAnswer;
+  readonly frame: readonly Vec3[];
+}
+
+/** A gallery model whose joints turn: each by its own slider, within its range. */
+export function JointView(props: { readonly row: GalleryRow; readonly onBack: () => void }) {
+  const { row, onBack } = props;
+  const { catalogue, preferences } = usePage();
+  const { preset } = preferences.value;
+  const loaded = useLoaded(() => load(row, preset, catalogue), [row, preset, catalogue]);
+  return (
+    <GalleryView row={row} onBack={onBack} loaded={loaded}>
+      {(moving) => <Joints moving={moving} />}
+    </GalleryView>
+  );
+}
+
+function Joints({ moving }: { readonly moving: Moving }) {
+  const [display, setDisplay] = useState<PartDisplay | null>(null);
+  const { parts, frame, answer, study } = moving;
+  return (
+    <div class="gallery-moving">
+      <MovingPicture parts={parts} frame={frame} display={display} label={words.jointsLabel} />
+      <JointList joints={answer.joints} study={study} onDisplay={setDisplay} />
+    </div>
+  );
+}
+
+async function load(row: GalleryRow, preset: string, catalogue: Catalogue): Promise<Moving> {
+  const { sketch } = await loadGallerySketch(row);
+  const { json, parts } = await solveSketch(sketch, { preset, seed: 1 });
+  const study = new MotionStudy(json);
+  const answer = await study.answer();
+  return { parts, study, answer, frame: await sweptPoints(parts, study, answer, catalogue) };
+}
+
+/** Corners of all places that the parts come to, so that nothing leaves the picture. */
+async function sweptPoints(
+  parts: readonly PlacedPart[],
+  study: MotionStudy,
+  answer: MotionAnswer,
+  catalogue: Catalogue,
+): Promise<Vec3[]> {
+  const points = modelCorners({ name: '', parts }, catalogue);
+  for (const { index, turns } of answer.joints) {
+    const path = turns ? await study.path({ of: 'joint', index }) : null;
+    for (const degrees of path?.angles ?? []) {
+      const poses = path ? posesAt(path, degrees) : new Map();
+      const moved = parts.flatMap((part, i) => {
+        const pose = poses.get(i);
+        return pose ? [{ ...part, ...pose }] : [];
+      });
+      points.push(...modelCorners({ name: '', parts: moved }, catalogue));
+    }
+  }
+  return points;
+}
