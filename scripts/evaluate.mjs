@@ -190,6 +190,8 @@ const COLUMNS = [
   ['gaps', 5, (row) => row.gaps],
   ['coll.', 6, (row) => row.collisions],
   ['failed', 7, (row) => row.failed],
+  ['loose', 6, (row) => row.loose],
+  ['rigid', 6, (row) => `${row.rigid}/${row.runs}`],
   ['seconds', 8, (row) => row.seconds?.toFixed(2)],
   ['most', 7, (row) => row.secondsMax?.toFixed(2)],
 ];
@@ -209,6 +211,11 @@ function printSummary(rows) {
   console.log(
     `\n${good} of ${rows.length} sketches buildable with every seed; beams over the bound: ` +
       `${over.length > 0 ? `${mean.toFixed(1)} %` : '-'} (mean); seconds: ${seconds?.toFixed(2) ?? '-'} (median)`,
+  );
+  const stiff = rows.filter((row) => row.rigid >= 0.9 * row.runs).length;
+  console.log(
+    `${stiff} of ${rows.length} sketches without a freedom beyond their joints, all pins turning, ` +
+      'with at least 9 of 10 seeds ("rigid"; "loose": most freedoms left)',
   );
   for (const row of rows.filter(({ failure }) => failure)) {
     console.log(`  ${row.sketch}: ${row.failure}`);

@@ -23,15 +23,28 @@ struct Cluster {
 };
 
 //! For each link the first link on the same line.
+//! \details Only lines about as far from some point off the lattice can be the same: few.
 std::vector<int> findLines(const std::vector<Link>& links) {
+  constexpr double kWidth = 0.1;  // modules; far above what onOneLine allows
+  const lattice::Vec3 eye{0.3819, 0.7264, 0.5497};
   std::vector<int> lines(links.size());
-  std::vector<std::size_t> firsts;
+  std::map<int, std::vector<int>> firsts;  // by distance
   for (std::size_t l = 0; l < links.size(); ++l) {
-    const auto known = std::find_if(
-        firsts.begin(), firsts.end(), [&](std::size_t f) { return onOneLine(links[f], links[l]); });
-    lines[l] = static_cast<int>(known == firsts.end() ? l : *known);
-    if (known == firsts.end()) {
-      firsts.push_back(l);
+    const double distance =
+        lattice::length(lattice::cross(links[l].at - eye, links[l].axis)) / kWidth;
+    const int bucket = static_cast<int>(distance);
+    int known = static_cast<int>(l);
+    for (int near = bucket - 1; near <= bucket + 1; ++near) {
+      const auto found = firsts.find(near);
+      if (found != firsts.end()) {
+        for (const int first : found->second) {
+          known = first < known && onOneLine(links[at(first)], links[l]) ? first : known;
+        }
+      }
+    }
+    lines[l] = known;
+    if (at(known) == l) {
+      firsts[bucket].push_back(known);
     }
   }
   return lines;
@@ -98,10 +111,10 @@ class Merger {
     for (auto& [line, cluster] : found) {
       clusters_.push_back(std::move(cluster));
     }
-    clustersOf_.clear();
+    clustersOf_.assign(at(linkage_.bodies), {});
     for (std::size_t c = 0; c < clusters_.size(); ++c) {
       for (const auto& [body, group] : clusters_[c].members) {
-        clustersOf_[body].push_back(static_cast<int>(c));
+        clustersOf_[at(body)].push_back(static_cast<int>(c));
       }
     }
   }
@@ -160,6 +173,9 @@ class Merger {
   //! Short loops without a motion.
   bool mergeLoops() {
     bool changed = false;
+    reached_.assign(at(linkage_.bodies), {});
+    passed_.assign(clusters_.size(), 0);
+    search_ = 0;
     for (int c = 0; c < static_cast<int>(clusters_.size()); ++c) {
       for (const auto& [start, group] : clusters_[at(c)].members) {
         changed = mergeLoopsFrom(start, c) || changed;
@@ -169,6 +185,7 @@ class Merger {
   }
 
   struct Step {
+    int search = 0;    // the search that got here last; the rest is of that one
     int from = -1;     // body
     int cluster = -1;  // passed to get here
     int depth = 0;
@@ -177,26 +194,27 @@ class Merger {
   //! Searches breadth first for other ways from `start` to the other members of a cluster.
   bool mergeLoopsFrom(int start, int closing) {
     constexpr int kLongest = 5;  // links beside the closing one: six screws can be independent
-    std::map<int, Step> reached{{start, {}}};
-    std::vector<bool> passed(clusters_.size(), false);
-    passed[at(closing)] = true;
-    std::vector<int> queue{start};
+    ++search_;
+    reached_[at(start)] = {search_, -1, -1, 0};
+    passed_[at(closing)] = search_;
+    queue_.assign(1, start);
     bool changed = false;
-    for (std::size_t head = 0; head < queue.size(); ++head) {
-      const int body = queue[head];
-      const int depth = reached.at(body).depth;
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      const int body = queue_[head];
+      const int depth = reached_[at(body)].depth;
       if (depth == kLongest) {
-        continue;
+        break;
       }
-      for (const int c : clustersOf_.at(body)) {
-        if (passed[at(c)]) {
+      for (const int c : clustersOf_[at(body)]) {
+        if (passed_[at(c)] == search_) {
           continue;
         }
-        passed[at(c)] = true;
+        passed_[at(c)] = search_;
         for (const auto& [next, group] : clusters_[at(c)].members) {
-          if (reached.emplace(next, Step{body, c, depth + 1}).second) {
-            queue.push_back(next);
-            changed = (start < next && tryLoop(reached, start, next, closing)) || changed;
+          if (reached_[at(next)].search != search_) {
+            reached_[at(next)] = {search_, body, c, depth + 1};
+            queue_.push_back(next);
+            changed = (start < next && tryLoop(start, next, closing)) || changed;
           }
         }
       }
@@ -220,13 +238,13 @@ class Merger {
   }
 
   //! Joins the bodies of a loop whose screws are independent.
-  bool tryLoop(const std::map<int, Step>& reached, int start, int end, int closing) {
+  bool tryLoop(int start, int end, int closing) {
     if (memberOf(clusters_[at(closing)], end) == nullptr) {
       return false;
     }
     std::vector<Link> loop{linkBetween(closing, start, end)};
-    for (int body = end; body != start; body = reached.at(body).from) {
-      const Step& step = reached.at(body);
+    for (int body = end; body != start; body = reached_[at(body)].from) {
+      const Step& step = reached_[at(body)];
       loop.push_back(linkBetween(step.cluster, step.from, body));
     }
     bool joined = true;
@@ -249,7 +267,7 @@ class Merger {
                std::vector<Link>& links) const {
     std::map<int, std::size_t> hubs;
     const auto lines = [&](std::size_t i) {
-      return clustersOf_.at(cluster.members[i].first).size();
+      return clustersOf_[at(cluster.members[i].first)].size();
     };
     std::size_t first = 0;
     for (std::size_t i = 0; i < cluster.members.size(); ++i) {
@@ -274,7 +292,12 @@ class Merger {
   UnionFind bodies_;
   std::vector<int> lineOf_;
   std::vector<Cluster> clusters_;
-  std::map<int, std::vector<int>> clustersOf_;
+  std::vector<std::vector<int>> clustersOf_;  // by body
+  // Of the search for loops, reused from one to the next.
+  int search_ = 0;
+  std::vector<Step> reached_;  // by body
+  std::vector<int> passed_;    // by cluster: the search that passed it last
+  std::vector<int> queue_;
 };
 
 }  // namespace

@@ -185,11 +185,25 @@ class MotionSorter {
     for (std::size_t m = 0; m < basis_.size(); ++m) {
       const MotionBasis::Driver driver = basis_.driver(m);
       motions_.push_back({-1, driver.link, driver.shifts, basis_.twists(m)});
-      settle(motions_.back().twists);
     }
   }
 
+  //! Only what `beyondJoints` of sorted() says.
+  int countBeyondJoints() {
+    for (FreeMotion& motion : motions_) {
+      standOnFrame(motion.twists);
+    }
+    dropSpinning();
+    Freedoms freedoms;
+    freedoms.internal = static_cast<int>(motions_.size());
+    countJoints(freedoms);
+    return freedoms.beyondJoints;
+  }
+
   Freedoms sorted() {
+    for (FreeMotion& motion : motions_) {
+      settle(motion.twists);
+    }
     nameJoints();
     Freedoms freedoms;
     freedoms.merged = merged_;
@@ -235,6 +249,19 @@ class MotionSorter {
       if (isSame(twists[body], {})) {
         twists[body] = {};
       }
+    }
+  }
+
+  //! Brings the first frame body of each assembly to rest.
+  void standOnFrame(std::vector<Twist>& twists) const {
+    std::map<int, Twist> rest;  // by assembly
+    for (std::size_t body = 0; body < twists.size(); ++body) {
+      if (frame_[body]) {
+        rest.emplace(basis_.assemblies()[body], twists[body]);
+      }
+    }
+    for (std::size_t body = 0; body < twists.size(); ++body) {
+      twists[body] = twists[body] - rest[basis_.assemblies()[body]];
     }
   }
 
@@ -338,6 +365,12 @@ MergedLinkage mergeAll(const Linkage& linkage) {
   MergedLinkage merged = mergeRigid(linkage);
   mergeLocked(merged);
   return merged;
+}
+
+int countFreedomsBeyondJoints(const FreedomsQuery& query) {
+  MergedLinkage merged = mergeRigid(query.linkage);
+  absorbSpinning(query, merged);
+  return MotionSorter(query, merged).countBeyondJoints();
 }
 
 Freedoms findFreedoms(const FreedomsQuery& query) {

@@ -47,6 +47,10 @@ struct Freedoms {
 //! an assembly without frame bodies every body counts.
 Freedoms findFreedoms(const FreedomsQuery& query);
 
+//! \brief Freedoms::beyondJoints alone, without finding what moves how: for searches, which ask
+//! often.
+int countFreedomsBeyondJoints(const FreedomsQuery& query);
+
 //! \brief Merges what cannot move, beyond short loops: blocks without a motion, too.
 MergedLinkage mergeAll(const Linkage& linkage);
 

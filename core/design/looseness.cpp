@@ -10,13 +10,7 @@
 
 namespace liftarm::design {
 
-namespace {
-
-constexpr double kFreedomCost = 5.0;  // half a beam
-
-}  // namespace
-
-std::function<double(const search::LayoutSnapshot&)> makeLooseness(
+std::function<int(const search::LayoutSnapshot&)> makeLooseness(
     const layout::LayoutProblem& problem,
     const mechanisms::MechanismTable& table,
     const sketch::Sketch& sketch) {
@@ -27,7 +21,7 @@ std::function<double(const search::LayoutSnapshot&)> makeLooseness(
     const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
     const analysis::FreedomsQuery query = analysis::makeFreedomsQuery(
         scene, analysis::findCoverage(scene), analysis::Friction::kFree);
-    return kFreedomCost * static_cast<double>(analysis::findFreedoms(query).beyondJoints);
+    return analysis::countFreedomsBeyondJoints(query);
   };
 }
 

@@ -8,11 +8,11 @@
 
 namespace liftarm::design {
 
-//! \brief What a layout costs because it is not stiff: so much for each internal freedom of its
+//! \brief How loose a layout is: the internal freedoms of its
 //! model beyond the annotated joints, all pins turning (FINDINGS 5, "global DOF inside the
 //! annealing"). \details Counted by the model wing on the real parts, which the search itself does
 //! not know. \pre problem, table and sketch outlive the function.
-std::function<double(const search::LayoutSnapshot&)> makeLooseness(
+std::function<int(const search::LayoutSnapshot&)> makeLooseness(
     const layout::LayoutProblem& problem,
     const mechanisms::MechanismTable& table,
     const sketch::Sketch& sketch);

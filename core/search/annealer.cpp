@@ -1,6 +1,7 @@
 #include "search/annealer.h"
 
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "base/det_math.h"
@@ -15,7 +16,9 @@ namespace {
 constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
-constexpr std::uint32_t kStiffRounds = 3;
+constexpr std::uint32_t kStiffRounds = 8;
+// What a freedom costs in the rounds that stiffen: half a beam at first, later more than any beam.
+constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 5, 8, 8, 12, 12, 20, 20};
 constexpr double kStiffTemperature = 3.0;
 constexpr std::uint32_t kRoundsPerStart = 3;
 constexpr int kLaterStarts = 4;         // of stage one: few, so that they differ
@@ -64,15 +67,16 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
   softWeights_[*objective::termIndex("violations")] = 0.0;
 }
 
-double Annealer::plainEnergy() const {
-  measures_.tallies = layout_.tallies();
-  return objective::value(measures_, softWeights_) + looseness_;
+double Annealer::plainEnergy(const layout::Tallies& tallies, int freedoms) const {
+  measures_.tallies = tallies;
+  return objective::value(measures_, softWeights_) + freedomCost_ * freedoms;
 }
 
 double Annealer::energy() {
   missing_ = supply_.missing(layout_);
-  return plainEnergy() + violationWeight_ * (layout_.weightedViolations() +
-                                             kMissingShare * static_cast<double>(missing_));
+  return plainEnergy(layout_.tallies(), freedoms_) +
+         violationWeight_ *
+             (layout_.weightedViolations() + kMissingShare * static_cast<double>(missing_));
 }
 
 double Annealer::fraction() const {
@@ -133,8 +137,9 @@ void Annealer::beginRound() {
 void Annealer::finishRound() {
   ++round_;
   const bool whole = best_.tallies.violations() + best_.missing == 0;
-  if (whole && options_.looseness && stiffRounds_ < kStiffRounds) {
+  if (whole && options_.freedoms && stiffRounds_ < kStiffRounds) {
     beginStiffening();
+    done_ = best_.freedoms == 0;
     return;
   }
   if (whole || round_ > options_.maxRounds) {
@@ -161,15 +166,13 @@ void Annealer::beginStiffening() {
   if (!stiffening_) {
     stiffening_ = true;
     options_.startTemperature = kStiffTemperature;
-    looseness_ = options_.looseness(best_);
-    best_.energy += looseness_;
+    best_.freedoms = options_.freedoms(best_);
   }
+  freedomCost_ = kFreedomCosts[stiffRounds_];
   ++stiffRounds_;
-  looseness_ = options_.looseness(snapshot());
+  best_.energy = plainEnergy(best_.tallies, best_.freedoms);
+  freedoms_ = options_.freedoms(snapshot());
   energy_ = energy();
-  if (looseness_ == 0.0) {
-    done_ = true;
-  }
   beginRound();
 }
 
@@ -187,7 +190,7 @@ LayoutSnapshot Annealer::snapshot() const {
 
 void Annealer::keepBest() {
   const int violations = layout_.tallies().violations();
-  const double plain = plainEnergy();
+  const double plain = plainEnergy(layout_.tallies(), freedoms_);
   // A whole model with parts to buy says more than one that falls apart for want of them.
   const auto rank = std::tuple(violations, missing_, plain + kSame);
   const bool better = best_.covers.empty() ||
@@ -199,6 +202,7 @@ void Annealer::keepBest() {
   best_ = snapshot();
   best_.energy = plain;
   best_.missing = missing_;
+  best_.freedoms = freedoms_;
 }
 
 void Annealer::raiseWeights() {

@@ -40,10 +40,9 @@ struct AnnealingOptions {
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
-  //! What a whole layout costs beyond the energy because it is not stiff, at least 0; empty:
-  //! nothing. It is dear to ask, so only further rounds at the end do, from the best layout without
-  //! it.
-  std::function<double(const LayoutSnapshot&)> looseness;
+  //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
+  //! ask, so only further rounds at the end do, from the best layout without it.
+  std::function<int(const LayoutSnapshot&)> freedoms;
 };
 
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
@@ -94,7 +93,7 @@ class Annealer final : public LayoutSearch {
   bool straighten(int run, double noise);
   bool bend(int run, double noise);
   [[nodiscard]] double energy();
-  [[nodiscard]] double plainEnergy() const;
+  [[nodiscard]] double plainEnergy(const layout::Tallies& tallies, int freedoms) const;
   void raiseWeights();
   void keepBest();
   void beginStiffening();
@@ -121,7 +120,8 @@ class Annealer final : public LayoutSearch {
   double energy_ = 0.0;
   bool stiffening_ = false;
   std::uint32_t stiffRounds_ = 0;
-  double looseness_ = 0.0;                // of the current layout, while stiffening
+  int freedoms_ = 0;                      // of the current layout, while stiffening
+  double freedomCost_ = 0.0;              // of each
   mutable objective::Measures measures_;  // reused: the tallies change, the scale does not
   objective::Weights softWeights_{};      // options_.weights without the hard conditions
   double violationWeight_ = 0.0;

@@ -299,14 +299,14 @@ bool Annealer::mirror(int run, double noise) {
 //! Settles what was changed; whether the energy is within the limit then. How loose a layout is, is
 //! asked last, and of whole layouts only.
 bool Annealer::passes(double limit) {
-  const double before = looseness_;
-  looseness_ = 0.0;
+  const int before = freedoms_;
+  freedoms_ = 0;
   bool within = layout_.settle([&] { return energy() > limit; }) && energy() <= limit;
-  looseness_ = before;
+  freedoms_ = before;
   if (within && stiffening_) {
-    looseness_ = layout_.tallies().violations() == 0 ? options_.looseness(snapshot()) : before;
+    freedoms_ = layout_.tallies().violations() == 0 ? options_.freedoms(snapshot()) : before;
     within = energy() <= limit;
-    looseness_ = within ? looseness_ : before;
+    freedoms_ = within ? freedoms_ : before;
   }
   return within;
 }

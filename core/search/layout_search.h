@@ -13,7 +13,8 @@ struct LayoutSnapshot {
   std::vector<layout::JunctionState> junctions;
   layout::Tallies tallies;
   double energy = 0.0;
-  int missing = 0;  //!< parts that it needs beyond those owned (search/supply.h)
+  int freedoms = 0;  //!< where the search asked for them: see AnnealingOptions::freedoms
+  int missing = 0;   //!< parts that it needs beyond those owned (search/supply.h)
 };
 
 //! \brief A stepped, deterministic search for a layout: what every method offers (DESIGN 4,

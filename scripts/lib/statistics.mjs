@@ -42,6 +42,8 @@ export function summarise(sketch, runs) {
     gaps: greatest(field('gaps')),
     collisions: greatest(field('collisions')),
     failed: greatest(field('failedConnections')),
+    loose: greatest(field('freedomsBeyondJoints')),
+    rigid: runs.filter(({ ok, report }) => ok && report?.freedomsBeyondJoints === 0).length,
     seconds: median(seconds),
     secondsMax: greatest(seconds),
     wallSeconds: median(runs.map(({ wallSeconds }) => wallSeconds)),

@@ -29,6 +29,15 @@ test('a crashed run without a report does not disturb the others', () => {
   expect(summarise('bow', [crash, run(true, 12, 1)])).toMatchObject({ ok: 1, beamsMedian: 12 });
 });
 
+test('a run is rigid only when it is a success without freedoms; the loosest shows', () => {
+  const loose = (ok, freedomsBeyondJoints) => ({
+    ...run(ok, 12, 1),
+    report: { freedomsBeyondJoints },
+  });
+  const row = summarise('bow', [loose(true, 0), loose(true, 3), loose(false, 0)]);
+  expect(row).toMatchObject({ rigid: 1, loose: 3 });
+});
+
 test('beams over the bound are a percentage, and nothing where there is no bound', () => {
   expect(beamsOverBound({ beamsMedian: 11, bound: 10 })).toBeCloseTo(10);
   expect(beamsOverBound({ beamsMedian: 11, bound: null })).toBeNull();

@@ -26,6 +26,11 @@ TEST_P(KnownMechanism, HasTheFreedomsOfTheTextbook) {
   EXPECT_EQ(freedoms.internal, GetParam().freedoms);
 }
 
+TEST_P(KnownMechanism, IsCountedAlikeWithoutItsMotions) {
+  const FreedomsQuery query = testing::queryOf(GetParam().linkage);
+  EXPECT_EQ(countFreedomsBeyondJoints(query), findFreedoms(query).beyondJoints);
+}
+
 TEST_P(KnownMechanism, HasTheFreedomsOfADenseDecomposition) {
   const Freedoms freedoms = findFreedoms(testing::queryOf(GetParam().linkage));
   EXPECT_EQ(freedoms.internal + freedoms.spinning,
@@ -53,6 +58,14 @@ TEST_P(RealModel, HasTheFreedomsOfADenseDecomposition) {
     const FreedomsQuery query = makeFreedomsQuery(scene, findCoverage(scene), friction);
     const Freedoms freedoms = findFreedoms(query);
     EXPECT_EQ(freedoms.internal + freedoms.spinning, testing::nullityByReflections(query.linkage));
+  }
+}
+
+TEST_P(RealModel, IsCountedAlikeWithoutItsMotions) {
+  const Scene scene = makeScene(GetParam(), parts::Catalogue::builtIn());
+  for (const Friction friction : {Friction::kFree, Friction::kHeld}) {
+    const FreedomsQuery query = makeFreedomsQuery(scene, findCoverage(scene), friction);
+    EXPECT_EQ(countFreedomsBeyondJoints(query), findFreedoms(query).beyondJoints);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "search/annealer.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -108,6 +109,48 @@ TEST(Annealer, CountsOnlyTheProgressItMakes) {
   run.finish(100);
   EXPECT_STREQ(run.annealer.phase(), "done");
   EXPECT_EQ(run.annealer.fraction(), 1.0);
+}
+
+//! Counts beams of layers other than 0 as freedoms: cheap, and the search can bring it down.
+int beamsOffLine(const LayoutSnapshot& snapshot) {
+  int count = 0;
+  for (const layout::Cover& cover : snapshot.covers) {
+    for (const layout::Beam& beam : cover.beams) {
+      count += beam.layer == 0 ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+TEST(Annealer, GoesOnUntilNothingIsLoose) {
+  AnnealingOptions options = quick();
+  options.freedoms = [](const LayoutSnapshot& snapshot) {
+    return std::max(0, beamsOffLine(snapshot) - 2);
+  };
+  SearchRun run(testing::cubeSketch(8), options);
+  run.finish(1000);
+  EXPECT_EQ(run.annealer.best().tallies.violations(), 0);
+  EXPECT_EQ(run.annealer.best().freedoms, 0);
+  EXPECT_LE(beamsOffLine(run.annealer.best()), 2);
+}
+
+TEST(Annealer, StopsAtOnceWhereNothingIsLoose) {
+  SearchRun plain(testing::cubeSketch(8), quick());
+  plain.finish(1000);
+  AnnealingOptions options = quick();
+  options.freedoms = [](const LayoutSnapshot&) { return 0; };
+  SearchRun stiff(testing::cubeSketch(8), options);
+  stiff.finish(1000);
+  EXPECT_EQ(stiff.annealer.iterations(), plain.annealer.iterations());
+}
+
+TEST(Annealer, EndsWhereWhatIsLooseStaysSo) {
+  AnnealingOptions options = quick();
+  options.freedoms = [](const LayoutSnapshot&) { return 1; };
+  SearchRun run(testing::cubeSketch(8), options);
+  run.finish(1000);
+  EXPECT_TRUE(run.annealer.done());
+  EXPECT_EQ(run.annealer.best().freedoms, 1);
 }
 
 TEST(Annealer, DoesNothingOnceItIsDone) {
