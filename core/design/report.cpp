@@ -81,6 +81,30 @@ json itemsJson(const analysis::CheckReport& check) {
   return items;
 }
 
+std::vector<objective::SymmetryGroup> symmetryGroups(const guide::GuidingGraph& graph) {
+  std::vector<objective::SymmetryGroup> groups;
+  for (const guide::GuideSymmetry& s : graph.symmetries) {
+    groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
+  }
+  return groups;
+}
+
+//! The straight stretches whose beams are not symmetric though the sketch says they should be.
+json asymmetricJson(const ReportInput& input) {
+  const guide::GuidingGraph& graph = input.problem.graph;
+  const std::vector<layout::Cover>& covers = input.search.best().covers;
+  json stretches = json::array();
+  if (covers.empty() || graph.symmetries.empty()) {
+    return stretches;
+  }
+  for (const int id : objective::asymmetricRuns(graph, covers, symmetryGroups(graph))) {
+    const guide::GuideRun& run = graph.runs[static_cast<std::size_t>(id)];
+    const auto node = [&](int n) { return pointJson(graph.nodes[static_cast<std::size_t>(n)]); };
+    stretches.push_back({{"from", node(run.nodes.front())}, {"to", node(run.nodes.back())}});
+  }
+  return stretches;
+}
+
 objective::Measures measuresOf(const ReportInput& input, const layout::Components& components) {
   objective::Measures measures;
   measures.tallies = input.search.best().tallies;
@@ -91,11 +115,8 @@ objective::Measures measuresOf(const ReportInput& input, const layout::Component
     return measures;
   }
   measures.componentRange = layout::largestLayerRange(components, best.covers);
-  std::vector<objective::SymmetryGroup> groups;
-  for (const guide::GuideSymmetry& s : graph.symmetries) {
-    groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
-  }
-  measures.symmetryDeviation = objective::symmetryDeviation(graph, best.covers, groups);
+  measures.symmetryDeviation =
+      objective::symmetryDeviation(graph, best.covers, symmetryGroups(graph));
   measures.rigidSubsets =
       objective::countRigidSubsets(graph, input.table, best.covers, best.junctions);
   return measures;
@@ -147,6 +168,7 @@ std::string makeReport(const ReportInput& input) {
       {"balanced", check.motion.balance.has_value() && check.motion.balance->stable},
       {"assemblable", check.assemblable},
       {"symmetryDeviation", rounded(measures.symmetryDeviation)},
+      {"asymmetric", asymmetricJson(input)},
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
       {"missing", missing},

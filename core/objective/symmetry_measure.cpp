@@ -1,6 +1,7 @@
 #include "objective/symmetry_measure.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace liftarm::objective {
@@ -42,6 +43,29 @@ double directedSquared(const std::vector<Vec3>& from, const std::vector<Vec3>& t
   return farthest;
 }
 
+constexpr double kSameSquared = 1e-4;
+
+//! Runs of `from` with a hole that maps onto none of `holes`.
+void addUnmatched(const guide::GuidingGraph& graph,
+                  const std::vector<layout::Cover>& covers,
+                  const std::vector<int>& from,
+                  const std::function<Vec3(Vec3)>& map,
+                  const std::vector<Vec3>& holes,
+                  std::vector<int>* runs) {
+  for (const int run : from) {
+    const std::vector<Vec3> own = holesOf(graph, covers, {run});
+    const bool matched = std::all_of(own.begin(), own.end(), [&](Vec3 hole) {
+      return std::any_of(holes.begin(), holes.end(), [&](Vec3 other) {
+        const Vec3 d = map(hole) - other;
+        return lattice::dot(d, d) < kSameSquared;
+      });
+    });
+    if (!matched) {
+      runs->push_back(run);
+    }
+  }
+}
+
 }  // namespace
 
 SymmetryMap reflection(Vec3 normal, double offset) {
@@ -80,6 +104,24 @@ double symmetryDeviation(const guide::GuidingGraph& graph,
     sum += squared / static_cast<double>(holes.size());
   }
   return groups.empty() ? 0.0 : sum / static_cast<double>(groups.size());
+}
+
+std::vector<int> asymmetricRuns(const guide::GuidingGraph& graph,
+                                const std::vector<layout::Cover>& covers,
+                                const std::vector<SymmetryGroup>& groups) {
+  std::vector<int> runs;
+  for (const SymmetryGroup& group : groups) {
+    std::vector<Vec3> mapped = holesOf(graph, covers, group.partners);
+    std::transform(
+        mapped.begin(), mapped.end(), mapped.begin(), [&](Vec3 p) { return group.map.apply(p); });
+    const auto same = [](Vec3 p) { return p; };
+    const auto apply = [&](Vec3 p) { return group.map.apply(p); };
+    addUnmatched(graph, covers, group.runs, same, mapped, &runs);
+    addUnmatched(graph, covers, group.partners, apply, holesOf(graph, covers, group.runs), &runs);
+  }
+  std::sort(runs.begin(), runs.end());
+  runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+  return runs;
 }
 
 }  // namespace liftarm::objective

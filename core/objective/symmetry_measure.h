@@ -42,4 +42,9 @@ double symmetryDeviation(const guide::GuidingGraph& graph,
                          const std::vector<layout::Cover>& covers,
                          const std::vector<SymmetryGroup>& groups);
 
+//! \brief The runs of which a hole has no counterpart under one of the groups, ascending.
+std::vector<int> asymmetricRuns(const guide::GuidingGraph& graph,
+                                const std::vector<layout::Cover>& covers,
+                                const std::vector<SymmetryGroup>& groups);
+
 }  // namespace liftarm::objective

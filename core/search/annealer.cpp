@@ -21,8 +21,11 @@ constexpr std::uint32_t kStiffRounds = 8;
 constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 5, 8, 8, 12, 12, 20, 20};
 constexpr double kStiffTemperature = 3.0;
 constexpr std::uint32_t kRoundsPerStart = 3;
-constexpr int kLaterStarts = 4;         // of stage one: few, so that they differ
-constexpr int kStageOneBudget = 30000;  // starts times runs of stage one
+constexpr std::uint32_t kSymmetricRounds = 6;      // with every symmetry that may be kept
+constexpr std::uint32_t kLastSymmetricRound = 12;  // with some of them
+constexpr int kFirstTries = 16;                    // at a first cover that obeys the symmetries
+constexpr int kLaterStarts = 4;                    // of stage one: few, so that they differ
+constexpr int kStageOneBudget = 30000;             // starts times runs of stage one
 
 // A part beyond those owned weighs less than any other violation.
 constexpr double kMissingShare = 0.4;
@@ -57,10 +60,14 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
       rng_(options_.seed),
       layout_(problem, solver),
       coverer_(problem, options_.lengths, coverCosts(options_.weights)),
+      orbits_(problem, options_.lengths),
       supply_(options_.supply, solver.table()),
       softWeights_(options_.weights),
       violationWeight_(weightOf(options_.weights, "violations")) {
   measures_.scale = objective::scaleOf(problem.graph);
+  if (!options_.parts.orbits) {
+    orbits_.releaseAll();
+  }
   for (const guide::GuideRun& run : problem.graph.runs) {
     fewestBeams_.push_back(guide::fewestBeams(problem.graph, run));
   }
@@ -108,7 +115,10 @@ void Annealer::start() {
 //! Hole axes from stage one, then every run covered once.
 void Annealer::layFirst(int starts) {
   const auto runs = static_cast<int>(problem_->graph.runs.size());
-  const guide::Orientation orientation = guide::estimateOrientation(problem_->graph, starts, &rng_);
+  const bool bound = orbits_.active();
+  const guide::Orientation orientation =
+      bound ? guide::estimateOrientation(problem_->graph, orbits_.orbits(), starts, &rng_)
+            : guide::estimateOrientation(problem_->graph, starts, &rng_);
   // The first covers see hole axes but no beams; the later ones see what was laid before them.
   for (int r = 0; r < runs; ++r) {
     layout_.setCover(r, {orientation[at(r)], {}});
@@ -116,6 +126,12 @@ void Annealer::layFirst(int starts) {
   const guide::LayerField field = guide::makeLayerField(problem_->graph, orientation, &rng_);
   for (int r = 0; r < runs; ++r) {
     coverer_.setPreferred(options_.parts.walls ? &field[at(r)] : nullptr);
+    if (orbits_.binds(r) && orbits_.orbits().representative(r) != r) {
+      continue;  // covered with the first of its images
+    }
+    if (orbits_.binds(r) && layBound(r, orientation[at(r)])) {
+      continue;
+    }
     if (auto cover = coverer_.propose(layout_, r, orientation[at(r)], 0.5, &rng_)) {
       layout_.setCover(r, std::move(*cover));
     }
@@ -124,6 +140,17 @@ void Annealer::layFirst(int starts) {
   layout_.settleAll();
   layout_.keep();
   energy_ = energy();
+}
+
+//! Covers a run and its images for the first time; frees them when no cover suits them all.
+bool Annealer::layBound(int run, lattice::Axis axis) {
+  for (int i = 0; i < kFirstTries; ++i) {
+    if (coverRun(run, axis, 0.5, {})) {
+      return true;
+    }
+  }
+  orbits_.release(run);
+  return false;
 }
 
 void Annealer::beginRound() {
@@ -151,9 +178,26 @@ void Annealer::finishRound() {
     layout_.setWeights(std::vector<double>(problem_->graph.junctions.size(), 1.0),
                        std::vector<double>(problem_->graph.runs.size(), 1.0));
     coverer_.setReach(guide::kMaxLayer);
+    loosenSymmetry();
     layFirst(kLaterStarts);
   }
   beginRound();
+}
+
+//! Where a symmetric layout could not be made whole, the runs there are freed; at last, all are.
+void Annealer::loosenSymmetry() {
+  if (!orbits_.active() || round_ < kSymmetricRounds) {
+    return;
+  }
+  if (round_ >= kLastSymmetricRound) {
+    orbits_.releaseAll();
+    return;
+  }
+  for (std::size_t j = 0; j < best_.junctions.size(); ++j) {
+    if (orbits_.active() && best_.junctions[j].violations() > 0) {
+      orbits_.releaseAt(static_cast<int>(j));
+    }
+  }
 }
 
 //! A further round from the best layout, in which what is loose costs too.

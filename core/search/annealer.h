@@ -8,6 +8,7 @@
 #include "layout/layout.h"
 #include "objective/objective.h"
 #include "search/layout_search.h"
+#include "search/orbit_covers.h"
 #include "search/run_coverer.h"
 #include "search/supply.h"
 
@@ -26,6 +27,7 @@ struct SearchParts {
   bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
   bool mirrors = true;  //!< moves that mirror a run's layers
   bool costly = true;   //!< moves at runs with more beams than they need
+  bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
 };
 
 struct AnnealingOptions {
@@ -84,6 +86,9 @@ class Annealer final : public LayoutSearch {
   void finishRound();
   [[nodiscard]] int pickRun();
   [[nodiscard]] int pickPartner(int run);
+  void place(int run, const layout::Cover& cover);
+  bool layBound(int run, lattice::Axis axis);
+  void loosenSymmetry();
   bool recover(int run, double noise);
   bool recoverMany(int run, double noise);
   bool mirror(int run, double noise);
@@ -105,6 +110,7 @@ class Annealer final : public LayoutSearch {
   base::Rng rng_;
   layout::Layout layout_;
   RunCoverer coverer_;
+  OrbitCovers orbits_;
   SupplyCounter supply_;
   int missing_ = 0;  // of the layout that energy() saw last
   LayoutSnapshot best_;

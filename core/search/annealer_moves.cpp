@@ -124,6 +124,15 @@ int Annealer::pickPartner(int run) {
   return other == run ? -1 : other;
 }
 
+//! Puts a cover on a run, and on those that symmetries bind to it.
+void Annealer::place(int run, const layout::Cover& cover) {
+  if (orbits_.binds(run)) {
+    orbits_.place(&layout_, run, cover);
+  } else {
+    layout_.setCover(run, cover);
+  }
+}
+
 bool Annealer::coverRun(int run,
                         lattice::Axis axis,
                         double noise,
@@ -131,6 +140,12 @@ bool Annealer::coverRun(int run,
   coverer_.setFixed(fixed);
   if (supply_.limited()) {
     coverer_.setLengthCosts(supply_.lengthCosts(layout_, run, options_.lengths, violationWeight_));
+  }
+  if (orbits_.binds(run)) {
+    const layout::Cover before = layout_.run(run).cover;
+    const auto symmetric = orbits_.propose(&coverer_, &layout_, run, axis, noise, &rng_);
+    place(run, symmetric ? *symmetric : before);
+    return symmetric && !(*symmetric == before);
   }
   auto cover = coverer_.propose(layout_, run, axis, noise, &rng_);
   coverer_.setFixed({});
@@ -178,7 +193,7 @@ bool Annealer::straighten(int run, double noise) {
 //! Lays an L beam at a corner of this run and another of the same hole axis, square to it.
 bool Annealer::bend(int run, double noise) {
   const int mate = pickPartner(run);
-  if (mate < 0) {
+  if (mate < 0 || orbits_.binds(run) || orbits_.binds(mate)) {
     return false;
   }
   const guide::GuidingGraph& graph = problem_->graph;
@@ -225,7 +240,10 @@ bool Annealer::recoverMany(int run, double noise) {
   if (!armsOf(layout_.run(run).cover).empty()) {
     return straighten(run, noise);
   }
-  std::vector<int> cleared{run};
+  const auto firstOf = [&](int r) {
+    return orbits_.binds(r) ? orbits_.orbits().representative(r) : r;
+  };
+  std::vector<int> cleared{firstOf(run)};
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   const std::uint32_t wanted = 1 + rng_.below(kMostMany);
   for (std::uint32_t i = 0; i < wanted; ++i) {
@@ -236,6 +254,7 @@ bool Annealer::recoverMany(int run, double noise) {
     } else if (other < 0 && !guideRun.near.empty()) {
       other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
     }
+    other = other >= 0 ? firstOf(other) : other;
     if (other >= 0 && armsOf(layout_.run(other).cover).empty() &&
         std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
       cleared.push_back(other);
@@ -244,7 +263,7 @@ bool Annealer::recoverMany(int run, double noise) {
   std::vector<layout::Cover> before;
   for (const int r : cleared) {
     before.push_back(layout_.run(r).cover);
-    layout_.setCover(r, {layout_.run(r).cover.axis, {}});
+    place(r, {layout_.run(r).cover.axis, {}});
   }
   for (std::size_t i = cleared.size(); i > 1; --i) {
     const std::size_t j = rng_.below(static_cast<std::uint32_t>(i));
@@ -253,7 +272,7 @@ bool Annealer::recoverMany(int run, double noise) {
   }
   for (std::size_t i = 0; i < cleared.size(); ++i) {
     if (!recover(cleared[i], noise)) {
-      layout_.setCover(cleared[i], before[i]);
+      place(cleared[i], before[i]);
     }
   }
   return true;
@@ -282,6 +301,11 @@ bool Annealer::mirror(int run, double noise) {
   if (problem_->graph.runs[at(run)].exact || !armsOf(cover).empty()) {
     return false;
   }
+  const guide::SelfBinding binding =
+      orbits_.active() ? orbits_.orbits().binding(run, cover.axis) : guide::SelfBinding{};
+  if (binding.pinned || binding.sign < 0) {
+    return false;
+  }
   const int sum = rng_.below(2) == 0 ? 1 : -1;
   for (layout::Beam& beam : cover.beams) {
     beam.layer = sum - beam.layer;
@@ -289,7 +313,7 @@ bool Annealer::mirror(int run, double noise) {
       return false;
     }
   }
-  layout_.setCover(run, std::move(cover));
+  place(run, cover);
   if (recoverCrossing(run, noise)) {
     recoverCrossing(run, noise);
   }

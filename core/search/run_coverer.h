@@ -45,6 +45,8 @@ class RunCoverer {
   //! work.
   void setReach(int layers) { wantedReach_ = layers; }
 
+  [[nodiscard]] int reach() const { return wantedReach_; }
+
   //! \brief Layers that the next proposals had better have at the run's junctions
   //! (guide/layer_field); null: any. The list must outlive the proposals.
   void setPreferred(const std::vector<int>* layers) { preferred_ = layers; }

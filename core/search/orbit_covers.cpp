@@ -1,0 +1,154 @@
+#include "search/orbit_covers.h"
+
+#include <algorithm>
+
+namespace liftarm::search {
+
+namespace {
+
+using layout::Beam;
+using layout::Cover;
+
+constexpr double kPickCheapest = 0.75;  // share of middle beams that leave the fewest others
+constexpr double kPickLine = 0.5;       // share of middle beams on the line itself
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+Cover imageOf(const Cover& cover, const guide::RunImage& image, int edges) {
+  const std::size_t axis = at(lattice::index(cover.axis));
+  Cover mapped{lattice::axisFromIndex(image.axes[axis]), {}};
+  for (const Beam& beam : cover.beams) {
+    mapped.beams.push_back({image.reversed ? edges - beam.last() : beam.start,
+                            beam.holes,
+                            beam.layer * image.signs[axis],
+                            -1});
+  }
+  if (image.reversed) {
+    std::reverse(mapped.beams.begin(), mapped.beams.end());
+  }
+  return mapped;
+}
+
+//! Beams of a cover with this middle beam, about: what lies on either side takes the longest.
+int beamsAround(const Beam& middle) {
+  const int side = std::max(0, middle.start);
+  return layout::partsOfBeam(middle.holes) +
+         2 * ((side + guide::kLongestBeam - 1) / guide::kLongestBeam);
+}
+
+//! One half of a cover, its middle, and the half anew from the other end; nothing where the two
+//! beams beside the middle would meet.
+std::optional<Cover> mirroredAbout(const Beam& middle, const Cover& cover, int edges, int sign) {
+  Cover mirrored{cover.axis, {}};
+  for (const Beam& beam : cover.beams) {
+    if (beam == middle) {
+      break;
+    }
+    mirrored.beams.push_back(beam);
+  }
+  const std::size_t half = mirrored.beams.size();
+  if (half > 0 && sign > 0 && 2 * mirrored.beams.back().last() >= edges) {
+    return std::nullopt;
+  }
+  mirrored.beams.push_back(middle);
+  for (std::size_t i = half; i > 0; --i) {
+    const Beam beam = mirrored.beams[i - 1];
+    mirrored.beams.push_back({edges - beam.last(), beam.holes, beam.layer * sign, -1});
+  }
+  return mirrored;
+}
+
+}  // namespace
+
+OrbitCovers::OrbitCovers(const layout::LayoutProblem& problem, std::vector<int> lengths)
+    : problem_(&problem), lengths_(std::move(lengths)) {
+  if (!problem.graph.symmetries.empty()) {
+    orbits_ = guide::Orbits(problem.graph);
+  }
+}
+
+void OrbitCovers::place(layout::Layout* layout, int run, const Cover& cover) const {
+  layout->setCover(run, cover);
+  const int edges = problem_->graph.runs[at(run)].edgeCount();
+  for (const guide::RunImage& image : orbits_.images(run)) {
+    if (image.run != run) {
+      layout->setCover(image.run, imageOf(cover, image, edges));
+    }
+  }
+}
+
+//! The beam across the middle of a run that reads the same from both ends; holes 0: none fits.
+Beam OrbitCovers::middleBeam(int run,
+                             const guide::SelfBinding& binding,
+                             int reach,
+                             base::Rng* rng) const {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  const int edges = guideRun.edgeCount();
+  const int over = guideRun.exact ? 0 : 1;
+  std::vector<Beam> middles;
+  for (const int holes : lengths_) {
+    if ((edges + 1 - holes) % 2 == 0 && holes <= edges + 1 + 2 * over) {
+      middles.push_back({(edges + 1 - holes) / 2, holes, 0, -1});
+    }
+  }
+  if (middles.empty()) {
+    return {0, 0, 0, -1};
+  }
+  if (rng->unit() < kPickCheapest) {
+    int fewest = beamsAround(middles[0]);
+    for (const Beam& middle : middles) {
+      fewest = std::min(fewest, beamsAround(middle));
+    }
+    middles.erase(
+        std::remove_if(
+            middles.begin(), middles.end(), [&](const Beam& b) { return beamsAround(b) > fewest; }),
+        middles.end());
+  }
+  Beam middle = middles[rng->below(static_cast<std::uint32_t>(middles.size()))];
+  const bool line = binding.pinned || binding.sign < 0 || guideRun.exact || reach == 0;
+  if (!line && rng->unit() >= kPickLine) {
+    middle.layer = static_cast<int>(rng->below(static_cast<std::uint32_t>(2 * reach + 1))) - reach;
+  }
+  return middle;
+}
+
+std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
+                                          layout::Layout* layout,
+                                          int run,
+                                          lattice::Axis axis,
+                                          double noise,
+                                          base::Rng* rng) const {
+  if (!orbits_.allows(run, axis)) {
+    return std::nullopt;
+  }
+  place(layout, run, {axis, {}});
+  const guide::SelfBinding binding = orbits_.binding(run, axis);
+  const int reach = coverer->reach();
+  if (binding.pinned) {
+    coverer->setReach(0);
+  }
+  std::optional<Cover> cover;
+  if (!binding.centred) {
+    cover = coverer->propose(*layout, run, axis, noise, rng);
+  } else if (const Beam middle = middleBeam(run, binding, reach, rng); middle.holes > 0) {
+    coverer->setFixed({middle});
+    cover = coverer->propose(*layout, run, axis, noise, rng);
+    coverer->setFixed({});
+    if (cover) {
+      cover =
+          mirroredAbout(middle, *cover, problem_->graph.runs[at(run)].edgeCount(), binding.sign);
+    }
+  }
+  coverer->setReach(reach);
+  return cover;
+}
+
+void OrbitCovers::releaseAt(int junction) {
+  for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
+    orbits_.release(incidence.run);
+  }
+}
+
+}  // namespace liftarm::search
