@@ -34,6 +34,11 @@ test('the PDF and the film are written', async ({ page }) => {
   await page.getByLabel('Speed').selectOption('4');
   const gif = await bytesOf(page, () => page.getByRole('button', { name: 'Save as GIF' }).click());
   expect(gif.subarray(0, 6).toString('latin1')).toBe('GIF89a');
+  const zip = await bytesOf(page, () =>
+    page.getByRole('button', { name: 'Save as pictures' }).click(),
+  );
+  expect(zip.readUInt32LE(0)).toBe(0x04034b50);
+  expect(zip.subarray(30, 45).toString('latin1')).toBe('frame-00001.png');
   const video = page.getByRole('button', { name: 'Save as video' });
   if (await video.isVisible()) {
     const film = await bytesOf(page, () => video.click());

@@ -11,7 +11,7 @@ import { drawSheet, launchBrowser } from './lib/picture-sheet.mjs';
 import { exitWith, freePort, StepError, TOP } from './lib/run.mjs';
 
 const GALLERY = resolve(TOP, 'public/gallery');
-const PATIENCE_MS = 120_000;
+const PATIENCE_MS = 600_000;
 /** Dots an inch of the sheets: enough to see overlaps and cut words. */
 const SHEET_DENSITY = 50;
 

@@ -1,7 +1,9 @@
+import { canvasToPng } from '../../view/still/canvas-png.ts';
+import { type ZipEntry, zipOf } from '../share/zip.ts';
 import type { FilmStage } from './film-stage.ts';
 
 export interface FilmFile {
-  readonly extension: 'mp4' | 'webm' | 'gif';
+  readonly extension: 'mp4' | 'webm' | 'gif' | 'zip';
   readonly content: Blob;
 }
 
@@ -14,6 +16,7 @@ export interface FilmOptions {
 
 const VIDEO = { width: 1280, height: 720, rate: 30 } as const;
 const GIF = { width: 480, height: 360, rate: 10, colours: 128 } as const;
+const PICTURES = { width: 960, height: 540, rate: 10 } as const;
 
 /** Whether this browser can write videos. */
 export function canWriteVideo(): boolean {
@@ -82,6 +85,21 @@ export async function writeGif(stage: FilmStage, options: FilmOptions): Promise<
   gif.finish();
   const content = new Blob([gif.bytes() as Uint8Array<ArrayBuffer>], { type: 'image/gif' });
   return { extension: 'gif', content };
+}
+
+/** The film as numbered pictures in an archive, for programs that make a video of them. */
+export async function writePictures(stage: FilmStage, options: FilmOptions): Promise<FilmFile> {
+  const { width, height, rate } = PICTURES;
+  const entries: ZipEntry[] = [];
+  for (const frame of frames(stage, options, rate)) {
+    stage.draw(frame.second, width, height);
+    const png = await canvasToPng(stage.canvas);
+    const name = `frame-${`${frame.index + 1}`.padStart(5, '0')}.png`;
+    entries.push({ name, content: new Uint8Array(await png.arrayBuffer()) });
+    options.onProgress(frame.share);
+    options.signal.throwIfAborted();
+  }
+  return { extension: 'zip', content: zipOf(entries) };
 }
 
 function* frames(stage: FilmStage, options: FilmOptions, rate: number) {

@@ -8,6 +8,7 @@ import {
   type FilmFile,
   type FilmOptions,
   writeGif,
+  writePictures,
   writeVideo,
 } from './film-export.ts';
 import { FilmStage } from './film-stage.ts';
@@ -147,6 +148,9 @@ function FilmFiles(props: {
           ) : null}
           <button type="button" class="button" onClick={begin(writeGif)}>
             {words.saveGif}
+          </button>
+          <button type="button" class="button" onClick={begin(writePictures)}>
+            {words.savePictures}
           </button>
         </>
       ) : (

@@ -298,13 +298,13 @@ async function partsBox(press: Press, page: PDFPage, index: number, box: PageBox
   notes.forEach((note, i) => {
     page.drawText(printable(note), {
       x: box.x,
-      y: top - height - 12 - 12 * i,
-      size: 9.5,
+      y: top - height - 15 - 15 * i,
+      size: 12,
       font: press.bold,
       color: WARN,
     });
   });
-  return height + 12 * notes.length;
+  return height + 15 * notes.length;
 }
 
 /** White of a part's picture vanishes on the coloured box. */

@@ -37,6 +37,7 @@ export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
   speed: 'Tempo',
   saveVideo: 'Als Video speichern',
   saveGif: 'Als GIF speichern',
+  savePictures: 'Als Bilder speichern (.zip)',
   filmFailed: 'Der Film konnte nicht gespeichert werden: {message}',
   encoding: '{n} % fertig',
   cancel: 'Abbrechen',

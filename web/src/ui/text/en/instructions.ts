@@ -37,6 +37,7 @@ export const INSTRUCTIONS_EN = {
   speed: 'Speed',
   saveVideo: 'Save as video',
   saveGif: 'Save as GIF',
+  savePictures: 'Save as pictures (.zip)',
   filmFailed: 'The film could not be saved: {message}',
   encoding: '{n} % done',
   cancel: 'Cancel',
