@@ -1,22 +1,20 @@
 // `npm run bench -- SKETCHES... [--seeds N]`: seconds of search by the native command and by the shipped
 // WebAssembly module in Node, one thread each, one after the other. Both must give the same model.
+// `--checks` measures the checks of the models instead: milliseconds of each in WebAssembly, and of
+// `liftarm check`, start and reading included.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, cpus, loadavg } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { timeChecks } from './lib/bench-checks.mjs';
+import { loadCore } from './lib/load-core.mjs';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { median } from './lib/statistics.mjs';
 
 const COMMAND = resolve(TOP, 'build/native/liftarm');
-const WASM = resolve(TOP, 'build/wasm');
 /** Iterations of one call, about what the page's worker takes. */
 const SLICE = 500;
-
-async function loadModule() {
-  const { default: create } = await import(join(WASM, 'liftarm-core.js'));
-  return create({ wasmBinary: readFileSync(join(WASM, 'liftarm-core.wasm')) });
-}
 
 /** @returns seconds of search and the model's text. */
 function solveNative(sketch, seed) {
@@ -37,6 +35,7 @@ function solveNative(sketch, seed) {
   const model = readdirSync(out).find((name) => name.endsWith('.model.json'));
   return {
     seconds: JSON.parse(stdout).seconds.total,
+    file: join(out, model),
     model: readFileSync(join(out, model), 'utf8').trimEnd(),
   };
 }
@@ -58,13 +57,54 @@ function solveWasm(module, sketch, seed) {
   return { seconds, model };
 }
 
+/** @returns milliseconds of all checks of a model file by the native command. */
+function checkNative(file) {
+  const start = performance.now();
+  try {
+    execFileSync(COMMAND, ['check', file], { stdio: 'pipe' });
+  } catch (error) {
+    // 2 means not buildable: its time counts all the same.
+    if (error.status !== 2) {
+      throw new StepError(`liftarm check ${file}: ${error.stderr ?? error.message}`);
+    }
+  }
+  return performance.now() - start;
+}
+
+const cells = (...numbers) =>
+  numbers.map((number) => (number === null ? '-' : number.toFixed(0)).padStart(12)).join('');
+
+async function benchChecks(sketches, repeats) {
+  console.log(`milliseconds; medians over ${repeats} calls after the first`);
+  console.log(`${''.padEnd(24)}   first cpu         cpu        wall native wall`);
+  const core = await loadCore();
+  for (const sketch of sketches) {
+    const { file, model } = solveNative(sketch, 1);
+    console.log(`${basename(sketch, '.sketch.json')}, ${JSON.parse(model).parts.length} parts`);
+    const native = median(Array.from({ length: repeats }, () => checkNative(file)));
+    const rows = timeChecks(core, model, repeats);
+    for (const { check, first, processor, wall } of rows) {
+      const beside = check === 'buildable' ? native : null;
+      console.log(`  ${check.padEnd(22)}${cells(first, processor, wall, beside)}`);
+    }
+    const sum = (key) => rows.reduce((total, row) => total + row[key], 0);
+    console.log(`  ${'all'.padEnd(22)}${cells(sum('first'), sum('processor'), sum('wall'), null)}`);
+  }
+}
+
 async function main() {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
-    options: { seeds: { type: 'string', default: '3' } },
+    options: {
+      seeds: { type: 'string', default: '3' },
+      checks: { type: 'boolean', default: false },
+    },
   });
   if (positionals.length === 0) {
-    throw new StepError('npm run bench -- SKETCHES... [--seeds N]');
+    throw new StepError('npm run bench -- SKETCHES... [--seeds N] [--checks]');
+  }
+  if (values.checks) {
+    return benchChecks(positionals, 7);
   }
   const seeds = Array.from({ length: Number(values.seeds) }, (_, i) => i + 1);
   console.log(
@@ -72,7 +112,7 @@ async function main() {
       `load ${loadavg()[0].toFixed(1)}, Node ${process.version}; medians over ${seeds.length} seeds`,
   );
   console.log('sketch                 native s    wasm s   factor   same model');
-  const module = await loadModule();
+  const module = await loadCore();
   for (const sketch of positionals) {
     const runs = seeds.map((seed) => [solveNative(sketch, seed), solveWasm(module, sketch, seed)]);
     const native = median(runs.map(([run]) => run.seconds));
