@@ -94,7 +94,7 @@ function pageOf(controller: PageController): Page {
     showPlace: controller.showPlace,
     showLayout: controller.showLayout,
     mend: controller.mend,
-    confirmMirror: controller.confirmMirror,
+    confirmSymmetry: controller.confirmSymmetry,
     dropSymmetry: controller.dropSymmetry,
     rename: controller.rename,
     dismissToast: (id) => toaster.dismiss(id),
@@ -202,7 +202,7 @@ async function start(): Promise<void> {
   await openFirst(controller, await shelf.begin(library));
   shelf.keepEdits();
   followLanguage(preferences, () => shelf.kept());
-  watchSketch(state);
+  watchSketch(state, client);
   solveAfterEdits(state, {
     generate: controller.generate,
     drop: () => controller.run.drop(),

@@ -1,8 +1,12 @@
 import { effect, signal } from '@preact/signals';
-import type { MirrorPlane } from '../geometry/mirrors.ts';
 import { modelBounds } from '../model/bounds.ts';
 import type { Catalogue } from '../model/catalogue.ts';
-import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
+import {
+  emptySketch,
+  type SketchDocument,
+  type SketchLine,
+  type SketchSymmetry,
+} from '../model/sketch.ts';
 import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SharedState } from '../share/codec.ts';
 import { linkedPreferences } from '../share/shared-state.ts';
@@ -155,9 +159,8 @@ export class PageController implements Actions {
     this.edit(text.faults.edit, mendFault(this.state.store.sketch.value, fault));
   };
 
-  readonly confirmMirror = (plane: MirrorPlane): void => {
-    this.state.proposedMirror.value = null;
-    const symmetry = { kind: 'reflection', ...plane } as const;
+  readonly confirmSymmetry = (symmetry: SketchSymmetry): void => {
+    this.state.proposedSymmetry.value = null;
     this.edit(text.symmetry.edit, addSymmetry(this.state.store.sketch.value, symmetry));
   };
 

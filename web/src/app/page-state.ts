@@ -1,9 +1,9 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
-import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { colourHex, colourName } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
+import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
@@ -55,8 +55,8 @@ export class PageState {
   readonly announcement = signal('');
   /** Found in the sketch a moment after each edit; see sketch-watch.ts. */
   readonly faults = signal<readonly SketchFault[]>([]);
-  readonly mirrors = signal<readonly MirrorPlane[]>([]);
-  readonly proposedMirror = signal<MirrorPlane | null>(null);
+  readonly foundSymmetries = signal<readonly FoundSymmetry[]>([]);
+  readonly proposedSymmetry = signal<FoundSymmetry | null>(null);
   /** The sketch as it came, by an example or a link; null for one's own. */
   readonly came = signal<SketchDocument | null>(null);
   readonly panelOpen = signal(false);

@@ -183,13 +183,13 @@ export class SceneBridge implements PointerTarget {
   }
 
   #showSketch(): void {
-    const { store, tool, problemPoints, problemLines, proposedMirror } = this.#state;
+    const { store, tool, problemPoints, problemLines, proposedSymmetry } = this.#state;
     const marks: SketchMarks = {
       selected: store.selection.value,
       hovered: tool.value.overlay.value.hovered,
       errors: problemLines.value,
       errorPoints: problemPoints.value,
-      proposedMirror: proposedMirror.value,
+      proposedSymmetry: proposedSymmetry.value,
     };
     this.#view?.setSketch(store.sketch.value, marks);
   }

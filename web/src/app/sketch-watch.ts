@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals';
-import { findMirrors } from '../geometry/mirrors.ts';
+import { readFoundSymmetries } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
+import type { SolverClient } from '../solver/client.ts';
 import { findFaults } from '../state/sketch-faults.ts';
 import type { PageState } from './page-state.ts';
 
@@ -10,7 +11,7 @@ const PAUSE_MS = 200;
 const LARGEST = { lines: 1200, length: 8000 } as const;
 
 /** Finds faults and symmetries of the sketch a moment after each edit. @returns what stops it. */
-export function watchSketch(state: PageState): () => void {
+export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const stop = effect(() => {
     const sketch = state.store.sketch.value;
@@ -18,15 +19,31 @@ export function watchSketch(state: PageState): () => void {
     timer = setTimeout(() => {
       const looked = isSmallEnough(sketch);
       state.faults.value = looked ? findFaults(sketch) : [];
+      state.foundSymmetries.value = [];
       // One line, or two in a row, are symmetric in many ways that nobody means.
-      const wanted = looked && sketch.lines.length > 2;
-      state.mirrors.value = wanted ? findMirrors(sketch.lines) : [];
+      if (looked && sketch.lines.length > 2) {
+        void findSymmetries(state, solver, sketch);
+      }
     }, PAUSE_MS);
   });
   return () => {
     clearTimeout(timer);
     stop();
   };
+}
+
+async function findSymmetries(
+  state: PageState,
+  solver: Pick<SolverClient, 'ask'>,
+  sketch: SketchDocument,
+): Promise<void> {
+  const sketchJson = JSON.stringify(sketch);
+  // Without an answer, as when the worker died, none are offered; the next edit asks again.
+  const reply = await solver.ask({ about: 'symmetries', sketchJson }).catch(() => null);
+  // What came in too late is about a sketch that is gone.
+  if (reply?.outcome === 'ok' && state.store.sketch.value === sketch) {
+    state.foundSymmetries.value = readFoundSymmetries(reply.text);
+  }
 }
 
 function isSmallEnough(sketch: SketchDocument): boolean {

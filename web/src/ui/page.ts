@@ -1,10 +1,10 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
-import type { MirrorPlane } from '../geometry/mirrors.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
+import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { Model } from '../model/model.ts';
 import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
-import type { SketchDocument } from '../model/sketch.ts';
+import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
 import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
@@ -148,10 +148,10 @@ export interface Page {
   readonly lookedAt: ReadonlySignal<boolean>;
   /** What cannot be built as drawn. */
   readonly faults: ReadonlySignal<readonly SketchFault[]>;
-  /** Planes that mirror the sketch onto itself. */
-  readonly mirrors: ReadonlySignal<readonly MirrorPlane[]>;
-  /** The plane that is shown because somebody is about to confirm it. */
-  readonly proposedMirror: Signal<MirrorPlane | null>;
+  /** What brings the sketch onto itself and is not kept yet. */
+  readonly foundSymmetries: ReadonlySignal<readonly FoundSymmetry[]>;
+  /** The one that is shown because somebody is about to confirm it. */
+  readonly proposedSymmetry: Signal<FoundSymmetry | null>;
   readonly panelOpen: Signal<boolean>;
   readonly dropping: ReadonlySignal<boolean>;
   readonly webglMissing: ReadonlySignal<boolean>;
@@ -188,7 +188,7 @@ export interface Page {
   /** Shows an earlier layout of the last search. */
   showLayout(layout: LayoutSnapshot): void;
   mend(fault: SketchFault): void;
-  confirmMirror(plane: MirrorPlane): void;
+  confirmSymmetry(symmetry: SketchSymmetry): void;
   dropSymmetry(index: number): void;
   rename(name: string): void;
   dismissToast(id: number): void;

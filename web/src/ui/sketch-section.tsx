@@ -1,4 +1,4 @@
-import type { MirrorPlane } from '../geometry/mirrors.ts';
+import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
 import type { SketchSymmetry } from '../model/sketch.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
@@ -46,11 +46,13 @@ function sentence(fault: SketchFault): string {
   return fillWords(words, { a: a + 1, b: b + 1 });
 }
 
-/** Mirror planes: those that hold, and those that the program has found. */
+/** Symmetries: those that hold, and those that the program has found. */
 export function SymmetrySection() {
   const page = usePage();
   const held = page.store.sketch.value.symmetries ?? [];
-  const found = page.mirrors.value.filter((plane) => !held.some((each) => isPlane(each, plane)));
+  const found = page.foundSymmetries.value.filter(
+    (symmetry) => !held.some((each) => isSameSymmetry(each, symmetry)),
+  );
   if (held.length + found.length === 0) {
     return null;
   }
@@ -62,37 +64,41 @@ export function SymmetrySection() {
           <li key={JSON.stringify(symmetry)}>
             <label class="check-row">
               <input type="checkbox" checked onChange={() => page.dropSymmetry(index)} />
-              <span>{heldName(symmetry)}</span>
+              <span>{symmetryName(symmetry)}</span>
             </label>
           </li>
         ))}
-        {found.map((plane) => (
-          <FoundMirror key={JSON.stringify(plane)} plane={plane} />
+        {found.map((symmetry) => (
+          <Found key={JSON.stringify(symmetry)} symmetry={symmetry} />
         ))}
       </ul>
     </Section>
   );
 }
 
-/** A plane shows itself in the scene while one is about to confirm it. */
-function FoundMirror({ plane }: { readonly plane: MirrorPlane }) {
+/** A symmetry shows itself in the scene while one is about to confirm it. */
+function Found({ symmetry }: { readonly symmetry: FoundSymmetry }) {
   const page = usePage();
-  const propose = (shown: MirrorPlane | null) => {
-    page.proposedMirror.value = shown;
+  const propose = (shown: FoundSymmetry | null) => {
+    page.proposedSymmetry.value = shown;
   };
   return (
-    <li onPointerEnter={() => propose(plane)} onPointerLeave={() => propose(null)}>
-      <label class="check-row">
-        <input
-          type="checkbox"
-          checked={false}
-          onFocus={() => propose(plane)}
-          onBlur={() => propose(null)}
-          onChange={() => page.confirmMirror(plane)}
-        />
-        <span>{planeName(plane)}</span>
-        <span class="quiet">{text.symmetry.found}</span>
-      </label>
+    <li onPointerEnter={() => propose(symmetry)} onPointerLeave={() => propose(null)}>
+      {symmetry.kind === 'rotation' ? (
+        <span class="check-row">{symmetryName(symmetry)}</span>
+      ) : (
+        <label class="check-row">
+          <input
+            type="checkbox"
+            checked={false}
+            onFocus={() => propose(symmetry)}
+            onBlur={() => propose(null)}
+            onChange={() => page.confirmSymmetry(symmetry)}
+          />
+          <span>{symmetryName(symmetry)}</span>
+          <span class="quiet">{text.symmetry.found}</span>
+        </label>
+      )}
     </li>
   );
 }
@@ -104,30 +110,40 @@ function note(held: number, found: number): string {
   return found > 0 ? fillWords(text.symmetry.foundNote, { n: found }) : '';
 }
 
-function heldName(symmetry: SketchSymmetry): string {
-  return symmetry.kind === 'reflection' ? planeName(symmetry) : text.symmetry.translation;
+function symmetryName(symmetry: FoundSymmetry): string {
+  switch (symmetry.kind) {
+    case 'reflection':
+      return planeName(symmetry);
+    case 'translation':
+      return fillWords(text.symmetry.translation, {
+        n: symmetry.pairs.length,
+        vector: symmetry.vector.map((x) => formatNumber(x, digitsOf(x))).join(', '),
+      });
+    case 'rotation':
+      return fillWords(text.symmetry.rotation, { n: formatNumber(360 / symmetry.order, 0) });
+  }
 }
 
-/** Such as `x = 4` or `x − y = 0`. */
-function planeName({ normal, offset }: MirrorPlane): string {
+/** Such as `x = 4`, `x − y = 0` or, in a hexagon, `0.58x + y = 2`. */
+function planeName({ normal, offset, lines }: Extract<SketchSymmetry, { kind: 'reflection' }>) {
+  const most = Math.max(...normal.map(Math.abs));
   const terms = normal.flatMap((value, k) => {
-    const name = ['x', 'y', 'z'][k] ?? '';
-    return Math.abs(value) < 1e-9 ? [] : [{ name, minus: value < 0 }];
+    const size = Math.abs(value) / most;
+    const factor = Math.abs(size - 1) < 1e-6 ? '' : formatNumber(size, 2);
+    return size < 1e-9 ? [] : [{ name: `${factor}${['x', 'y', 'z'][k] ?? ''}`, minus: value < 0 }];
   });
   const left = terms
     .map(({ name, minus }, i) =>
       i === 0 ? `${minus ? '−' : ''}${name}` : `${minus ? '− ' : '+ '}${name}`,
     )
     .join(' ');
-  const digits = Math.abs(offset - Math.round(offset)) < 1e-6 ? 0 : 1;
-  return fillWords(text.symmetry.plane, { plane: `${left} = ${formatNumber(offset, digits)}` });
+  const at = offset / most;
+  const plane = `${left} = ${formatNumber(at, digitsOf(at))}`;
+  return lines
+    ? fillWords(text.symmetry.partPlane, { n: lines.length, plane })
+    : fillWords(text.symmetry.plane, { plane });
 }
 
-function isPlane(symmetry: SketchSymmetry, plane: MirrorPlane): boolean {
-  return (
-    symmetry.kind === 'reflection' &&
-    symmetry.lines === undefined &&
-    symmetry.normal.every((value, k) => Math.abs(value - plane.normal[k as 0 | 1 | 2]) < 1e-6) &&
-    Math.abs(symmetry.offset - plane.offset) < 1e-6
-  );
+function digitsOf(value: number): number {
+  return Math.abs(value - Math.round(value)) < 1e-6 ? 0 : 1;
 }

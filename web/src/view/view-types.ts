@@ -1,4 +1,5 @@
 import type { Catalogue } from '../model/catalogue.ts';
+import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { AxisName, Mat3, Vec3 } from '../model/vec.ts';
 
 /** Positions on screen are CSS pixels from the canvas' top left corner; positions in space modules. */
@@ -49,7 +50,7 @@ export interface SketchMarks {
   readonly errorPoints?: readonly Vec3[];
   readonly selectedJoint?: number | null;
   /** A mirror plane that is not part of the sketch yet. */
-  readonly proposedMirror?: { readonly normal: Vec3; readonly offset: number } | null;
+  readonly proposedSymmetry?: FoundSymmetry | null;
 }
 
 /** A plane to draw on: perpendicular to an axis, through a point that anchors its unit grid. */

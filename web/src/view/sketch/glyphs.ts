@@ -1,4 +1,5 @@
 import {
+  ArrowHelper,
   BoxGeometry,
   type BufferGeometry,
   CylinderGeometry,
@@ -16,7 +17,8 @@ import {
   Vector3,
 } from 'three';
 import { type Bounds, sketchBounds } from '../../model/bounds.ts';
-import type { KeepOutBox, SketchDocument, SketchJoint } from '../../model/sketch.ts';
+import type { FoundSymmetry, RotationSymmetry } from '../../model/found-symmetries.ts';
+import type { KeepOutBox, SketchDocument, SketchJoint, SketchLine } from '../../model/sketch.ts';
 import type { Vec3 } from '../../model/vec.ts';
 import type { ViewTheme } from '../scene/theme.ts';
 import type { SketchMarks } from '../view-types.ts';
@@ -24,17 +26,18 @@ import type { SketchMarks } from '../view-types.ts';
 /** Modules. */
 const JOINT = { radius: 0.55, tube: 0.07, axisLength: 2.2, axisRadius: 0.05 } as const;
 const SYMMETRY_MARGIN = 2;
+const SHIFT_HEAD = 0.8;
 const UP = new Vector3(0, 0, 1);
 const Y = new Vector3(0, 1, 0);
 
-/** Joints, keep-out boxes and mirror planes of a sketch. Few, so each is its own object. */
+/** Joints, keep-out boxes and symmetries of a sketch. Few, so each is its own object. */
 export class SketchGlyphs {
   readonly group = new Group();
   readonly #owned: (BufferGeometry | Material)[] = [];
   #shown: readonly unknown[] = [];
 
   set(sketch: SketchDocument | null, marks: SketchMarks, theme: ViewTheme): void {
-    const proposed = marks.proposedMirror ?? null;
+    const proposed = marks.proposedSymmetry ?? null;
     const shown = [sketch, marks.selectedJoint ?? null, proposed, theme];
     // Hovering over lines must not make all of this again.
     if (shown.every((value, i) => value === this.#shown[i])) {
@@ -53,13 +56,14 @@ export class SketchGlyphs {
       this.#addKeepOut(box, theme.keepOut);
     }
     const bounds = sketchBounds(sketch);
-    for (const symmetry of sketch.symmetries ?? []) {
-      if (symmetry.kind === 'reflection' && bounds) {
-        this.#addMirror(symmetry, bounds, theme.symmetry);
-      }
+    if (!bounds) {
+      return;
     }
-    if (proposed && bounds) {
-      this.#addMirror(proposed, bounds, theme.hovered);
+    for (const symmetry of sketch.symmetries ?? []) {
+      this.#addSymmetry(symmetry, { sketch, bounds, colour: theme.symmetry });
+    }
+    if (proposed) {
+      this.#addSymmetry(proposed, { sketch, bounds, colour: theme.hovered });
     }
   }
 
@@ -121,6 +125,65 @@ export class SketchGlyphs {
     }
   }
 
+  /** A plane for a mirror, arrows for a shift, an axis for a turn. */
+  #addSymmetry(
+    symmetry: FoundSymmetry,
+    { sketch, bounds, colour }: { sketch: SketchDocument; bounds: Bounds; colour: number },
+  ): void {
+    switch (symmetry.kind) {
+      case 'reflection':
+        this.#addMirror(symmetry, bounds, colour);
+        break;
+      case 'translation':
+        for (const [first] of symmetry.pairs) {
+          this.#addShift(sketch.lines[first], symmetry.vector, colour);
+        }
+        break;
+      case 'rotation':
+        this.#addAxis(symmetry, bounds, colour);
+        break;
+    }
+  }
+
+  /** From the middle of a line to that of its image. */
+  #addShift(line: SketchLine | undefined, vector: Vec3, colour: number): void {
+    if (!line) {
+      return;
+    }
+    const from = new Vector3(...line.from).add(new Vector3(...line.to)).multiplyScalar(0.5);
+    const way = new Vector3(...vector);
+    const length = way.length();
+    const arrow = new ArrowHelper(
+      way.normalize(),
+      from,
+      length,
+      colour,
+      SHIFT_HEAD,
+      SHIFT_HEAD / 2,
+    );
+    this.#own(arrow.line.geometry);
+    this.#own(arrow.line.material as Material);
+    this.#own(arrow.cone.geometry);
+    this.#own(arrow.cone.material as Material);
+    arrow.renderOrder = 14;
+    this.group.add(arrow);
+  }
+
+  #addAxis({ axis, point }: RotationSymmetry, bounds: Bounds, colour: number): void {
+    const length = sizeOf(bounds) + 2 * SYMMETRY_MARGIN;
+    const rod = new Mesh(
+      this.#own(new CylinderGeometry(JOINT.axisRadius, JOINT.axisRadius, length, 10)),
+      this.#own(new MeshBasicMaterial({ color: colour })),
+    );
+    const direction = new Vector3(...axis).normalize();
+    const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
+    const start = new Vector3(...point);
+    rod.position.copy(start).addScaledVector(direction, middle.sub(start).dot(direction));
+    rod.quaternion.setFromUnitVectors(Y, direction);
+    rod.renderOrder = 14;
+    this.group.add(rod);
+  }
+
   #addMirror(
     mirror: { readonly normal: Vec3; readonly offset: number },
     bounds: Bounds,
@@ -131,12 +194,7 @@ export class SketchGlyphs {
     const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
     const off = mirror.offset - normal.dot(middle);
     middle.addScaledVector(normal, off * scale);
-    const size = Math.hypot(
-      bounds.max[0] - bounds.min[0],
-      bounds.max[1] - bounds.min[1],
-      bounds.max[2] - bounds.min[2],
-    );
-    const side = size + 2 * SYMMETRY_MARGIN;
+    const side = sizeOf(bounds) + 2 * SYMMETRY_MARGIN;
     const geometry = this.#own(new PlaneGeometry(side, side));
     const pane = new Mesh(geometry, this.#own(glass(colour, 0.1)));
     const frame = new LineSegments(
@@ -150,6 +208,11 @@ export class SketchGlyphs {
       this.group.add(object);
     }
   }
+}
+
+/** From one corner of a box to the far one. */
+function sizeOf({ min, max }: Bounds): number {
+  return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
 function glass(color: number, opacity: number): MeshBasicMaterial {
