@@ -190,7 +190,8 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
     write(press, page, `${row.count}x`, { x: x + 4, y: y - 78, size: 14, strong: true });
     write(press, page, row.part, { x: x + 40, y: y - 78, size: 10 });
     const name = press.book.shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? '';
-    const title = `${name}, ${colourName(row.color)}`;
+    // The colour first: what is cut off of a long name says less.
+    const title = `${colourName(row.color)}: ${name}`;
     const lines = wrap(printable(title), cell - 10, (line) =>
       press.plain.widthOfTextAtSize(line, 8),
     );
