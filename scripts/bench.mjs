@@ -1,6 +1,6 @@
 // `npm run bench -- SKETCHES... [--seeds N]`: seconds of search by the native command and by the shipped
 // WebAssembly module in Node, one thread each, one after the other. Both must give the same model.
-// `--checks` measures the checks of the models instead: milliseconds of each in WebAssembly, and of
+// `--browser` runs the module in Chromium. `--checks` measures the checks of the models instead: milliseconds of each in WebAssembly, and of
 // `liftarm check`, start and reading included.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
@@ -8,6 +8,7 @@ import { availableParallelism, cpus, loadavg } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { timeChecks } from './lib/bench-checks.mjs';
+import { openBrowserSolver } from './lib/browser-solver.mjs';
 import { loadCore } from './lib/load-core.mjs';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { median } from './lib/statistics.mjs';
@@ -92,16 +93,33 @@ async function benchChecks(sketches, repeats) {
   }
 }
 
+/** The module in Node or in Chromium. */
+async function openSolver(inBrowser) {
+  if (!inBrowser) {
+    const module = await loadCore();
+    return { solve: (sketch, seed) => solveWasm(module, sketch, seed), close: () => {} };
+  }
+  const browser = await openBrowserSolver(SLICE);
+  return {
+    solve: async (sketch, seed) => {
+      const { seconds, model } = await browser.solve(readFileSync(sketch, 'utf8'), { seed });
+      return { seconds, model: model.trimEnd() };
+    },
+    close: browser.close,
+  };
+}
+
 async function main() {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: {
       seeds: { type: 'string', default: '3' },
       checks: { type: 'boolean', default: false },
+      browser: { type: 'boolean', default: false },
     },
   });
   if (positionals.length === 0) {
-    throw new StepError('npm run bench -- SKETCHES... [--seeds N] [--checks]');
+    throw new StepError('npm run bench -- SKETCHES... [--seeds N] [--browser | --checks]');
   }
   if (values.checks) {
     return benchChecks(positionals, 7);
@@ -112,9 +130,12 @@ async function main() {
       `load ${loadavg()[0].toFixed(1)}, Node ${process.version}; medians over ${seeds.length} seeds`,
   );
   console.log('sketch                 native s    wasm s   factor   same model');
-  const module = await loadCore();
+  const solver = await openSolver(values.browser);
   for (const sketch of positionals) {
-    const runs = seeds.map((seed) => [solveNative(sketch, seed), solveWasm(module, sketch, seed)]);
+    const runs = [];
+    for (const seed of seeds) {
+      runs.push([solveNative(sketch, seed), await solver.solve(sketch, seed)]);
+    }
     const native = median(runs.map(([run]) => run.seconds));
     const wasm = median(runs.map(([, run]) => run.seconds));
     const same = runs.every(([a, b]) => a.model === b.model);
@@ -126,6 +147,7 @@ async function main() {
       process.exitCode = 1;
     }
   }
+  await solver.close();
 }
 
 main().catch(exitWith);

@@ -34,7 +34,7 @@ export default defineConfig({
     root: top,
     include: [
       'tests/web/**/*.test.{ts,tsx}',
-      'tests/contract/**/*.test.ts',
+      'tests/contract/**/*.test.{ts,mjs}',
       'tests/checks/**/*.test.mjs',
     ],
     environment: 'node',
