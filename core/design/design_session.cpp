@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "design/looseness.h"
+#include "design/measures.h"
 #include "design/model_builder.h"
 #include "design/report.h"
 #include "design/settings.h"
@@ -68,7 +69,8 @@ class Session final : public DesignSession {
                 {"gaps", t.gaps},
                 {"collisions", t.collisions},
                 {"failedConnections", t.failedConnections},
-                {"improvements", search_->improvements()}}
+                {"improvements", search_->improvements()},
+                {"terms", termsJson()}}
         .dump();
   }
 
@@ -85,6 +87,20 @@ class Session final : public DesignSession {
       return {sketch_.name, {}, sketchText};  // asked before the first step
     }
     return buildModel(problem_, table_, search_->best(), sketch_.name, sketchText);
+  }
+
+  //! What each weighted term of the objective adds for the best layout.
+  [[nodiscard]] json termsJson() const {
+    const objective::Measures measures = measuresOf(problem_, table_, search_->best());
+    const objective::Weights& weights = settings_.annealing.weights;
+    json terms = json::object();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (weights[i] != 0.0) {
+        terms[std::string(objective::kTerms[i].name)] =
+            weights[i] * objective::kTerms[i].value(measures);
+      }
+    }
+    return terms;
   }
 
   sketch::Sketch sketch_;

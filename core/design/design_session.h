@@ -29,7 +29,8 @@ class DesignSession {
 
   //! \brief Where the search stands, as JSON: {"done", "phase", "iterations", "fraction" (0..1),
   //! "objective", "temperature", "beams", "gaps", "collisions", "failedConnections",
-  //! "improvements"}. `improvements` counts how often the best layout changed: when it grew,
+  //! "improvements", "terms" (what each term of the objective adds for the best layout)}.
+  //! `improvements` counts how often the best layout changed: when it grew,
   //! modelJson() is new.
   [[nodiscard]] virtual std::string progressJson() const = 0;
 

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/check.h"
+#include "design/measures.h"
 #include "design/owned_parts.h"
 #include "guide/beam_bound.h"
 #include "layout/components.h"
-#include "objective/rigidity_measure.h"
 #include "objective/symmetry_measure.h"
 
 namespace liftarm::design {
@@ -81,14 +81,6 @@ json itemsJson(const analysis::CheckReport& check) {
   return items;
 }
 
-std::vector<objective::SymmetryGroup> symmetryGroups(const guide::GuidingGraph& graph) {
-  std::vector<objective::SymmetryGroup> groups;
-  for (const guide::GuideSymmetry& s : graph.symmetries) {
-    groups.push_back({{s.linear, s.shift}, s.runs, s.partners});
-  }
-  return groups;
-}
-
 //! The straight stretches whose beams are not symmetric though the sketch says they should be.
 json asymmetricJson(const ReportInput& input) {
   const guide::GuidingGraph& graph = input.problem.graph;
@@ -105,23 +97,6 @@ json asymmetricJson(const ReportInput& input) {
   return stretches;
 }
 
-objective::Measures measuresOf(const ReportInput& input, const layout::Components& components) {
-  objective::Measures measures;
-  measures.tallies = input.search.best().tallies;
-  measures.scale = objective::scaleOf(input.problem.graph);
-  const guide::GuidingGraph& graph = input.problem.graph;
-  const search::LayoutSnapshot& best = input.search.best();
-  if (best.covers.empty()) {
-    return measures;
-  }
-  measures.componentRange = layout::largestLayerRange(components, best.covers);
-  measures.symmetryDeviation =
-      objective::symmetryDeviation(graph, best.covers, symmetryGroups(graph));
-  measures.rigidSubsets =
-      objective::countRigidSubsets(graph, input.table, best.covers, best.junctions);
-  return measures;
-}
-
 }  // namespace
 
 std::string makeReport(const ReportInput& input) {
@@ -129,7 +104,7 @@ std::string makeReport(const ReportInput& input) {
   const layout::Components components =
       best.covers.empty() ? layout::Components{}
                           : layout::findComponents(input.problem.graph, best.covers);
-  const objective::Measures measures = measuresOf(input, components);
+  const objective::Measures measures = measuresOf(input.problem, input.table, best);
   const analysis::CheckReport check =
       analysis::checkModel(input.model, parts::Catalogue::builtIn());
   json problems = problemsJson(check);

@@ -16,9 +16,16 @@ namespace {
 constexpr std::uint64_t kPatience =
     150;  // moves without a change of violations before weights rise
 
+// Most sketches are whole after the first round, and seldom better for a longer one; those that are
+// not need all the later ones.
+constexpr double kFirstRoundShare = 0.6;
+
 constexpr std::uint32_t kStiffRounds = 8;
 // What a freedom costs in the rounds that stiffen: half a beam at first, later more than any beam.
 constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 5, 8, 8, 12, 12, 20, 20};
+// Rounds of a large sketch take long, and one that still moves after a few seldom ends stiff.
+constexpr std::size_t kLargeRuns = 40;
+constexpr std::uint32_t kStiffRoundsLarge = 3;
 constexpr double kStiffTemperature = 3.0;
 constexpr std::uint32_t kRoundsPerStart = 3;
 constexpr std::uint32_t kSymmetricRounds = 6;      // with every symmetry that may be kept
@@ -155,8 +162,10 @@ bool Annealer::layBound(int run, lattice::Axis axis) {
 
 void Annealer::beginRound() {
   roundBegin_ = iteration_;
-  roundLength_ = options_.minIterations + static_cast<std::uint64_t>(options_.iterationsPerRun) *
-                                              problem_->graph.runs.size();
+  const double share = round_ == 0 ? kFirstRoundShare : 1.0;
+  const double perRuns = static_cast<double>(options_.iterationsPerRun) *
+                         static_cast<double>(problem_->graph.runs.size());
+  roundLength_ = options_.minIterations + static_cast<std::uint64_t>(share * perRuns);
   temperature_ = options_.startTemperature;
   lastChange_ = iteration_;
 }
@@ -164,7 +173,8 @@ void Annealer::beginRound() {
 void Annealer::finishRound() {
   ++round_;
   const bool whole = best_.tallies.violations() + best_.missing == 0;
-  if (whole && options_.freedoms && stiffRounds_ < kStiffRounds) {
+  const bool large = problem_->graph.runs.size() > kLargeRuns;
+  if (whole && options_.freedoms && stiffRounds_ < (large ? kStiffRoundsLarge : kStiffRounds)) {
     beginStiffening();
     done_ = best_.freedoms == 0;
     return;

@@ -1,6 +1,8 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { ExportFormat, SolveProgress } from '../../web/src/solver/protocol.ts';
 import { SOLVER_STATUSES } from '../../web/src/solver/solver-module.ts';
+import { SOLVE_DE } from '../../web/src/ui/text/de/solve.ts';
+import { SOLVE_EN } from '../../web/src/ui/text/en/solve.ts';
 import { exampleNames, exampleText, loadModule, solveWithModule } from './module.ts';
 
 const module = await loadModule();
@@ -18,6 +20,7 @@ const PROGRESS: SolveProgress = {
   collisions: 0,
   failedConnections: 0,
   improvements: 0,
+  terms: {},
 };
 
 /** Each format of the type: one that is missing here does not compile. */
@@ -44,6 +47,20 @@ test('progress has exactly the fields that TypeScript names, with their types', 
   const progress = JSON.parse(session.progressJson());
   session.delete();
   expect(typesOf(progress)).toEqual(typesOf(PROGRESS));
+});
+
+test('the terms of the objective add up to it, and each has a name in both languages', () => {
+  const session = new module.SolverSession(exampleText('square-frame'), '{}');
+  while (!session.advance(1000)) {
+    // The search goes on.
+  }
+  const { objective, terms } = JSON.parse(session.progressJson()) as SolveProgress;
+  session.delete();
+  const sum = Object.values(terms).reduce((all, each) => all + each, 0);
+  expect(sum).toBeCloseTo(objective, 6);
+  for (const solve of [SOLVE_EN.solve, SOLVE_DE.solve]) {
+    expect(Object.keys(solve.term)).toEqual(expect.arrayContaining(Object.keys(terms)));
+  }
 });
 
 test('settings that spell out every default give the same model as no settings', () => {

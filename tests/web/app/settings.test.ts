@@ -32,6 +32,7 @@ test('of many layouts the first and the last are kept, and never more than a few
     gaps: 0,
     collisions: 0,
     failedConnections: 0,
+    terms: {},
     json: '{}',
   });
   let kept = [layout(0)] as readonly ReturnType<typeof layout>[];

@@ -26,6 +26,7 @@ const PROGRESS: SolveProgress = {
   gaps: 0,
   collisions: 0,
   failedConnections: 0,
+  terms: {},
   improvements: 1,
 };
 const SECONDS = { total: 0.5, byPhase: {} };

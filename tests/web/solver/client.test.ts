@@ -38,6 +38,7 @@ const PROGRESS: SolveProgress = {
   gaps: 0,
   collisions: 0,
   failedConnections: 0,
+  terms: {},
   improvements: 1,
 };
 

@@ -65,6 +65,7 @@ function progress(beams: number, gaps = 0): SolveProgress {
     gaps,
     collisions: 0,
     failedConnections: 0,
+    terms: {},
     improvements: 1,
   };
 }

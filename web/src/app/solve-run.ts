@@ -236,9 +236,18 @@ function tallies(report: Report): Partial<ChartPoint> {
 }
 
 function pointOf(progress: SolveProgress): ChartPoint {
-  const { iterations, objective, temperature, beams, gaps, collisions, failedConnections } =
-    progress;
-  return { iterations, objective, temperature, beams, gaps, collisions, failedConnections };
+  const { iterations, objective, temperature, terms } = progress;
+  const { beams, gaps, collisions, failedConnections } = progress;
+  return {
+    iterations,
+    objective,
+    temperature,
+    terms,
+    beams,
+    gaps,
+    collisions,
+    failedConnections,
+  };
 }
 
 /** At most MAX_LAYOUTS: every other one goes, but not the first and not the last. */

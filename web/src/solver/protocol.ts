@@ -28,6 +28,8 @@ export interface SolveProgress {
   readonly failedConnections: number;
   /** How often the best layout changed; when it grew there is a new model. */
   readonly improvements: number;
+  /** What each term of the objective adds for the best layout, by the core's names. */
+  readonly terms: Readonly<Record<string, number>>;
 }
 
 /** Seconds spent inside the module: in all, and by the phase that `SolveProgress` names. */

@@ -22,7 +22,14 @@ export type SolvePhase = 'idle' | 'solving' | 'solved' | 'cancelled' | 'refused'
 /** One point of the chart. */
 export type ChartPoint = Pick<
   SolveProgress,
-  'iterations' | 'objective' | 'temperature' | 'beams' | 'gaps' | 'collisions' | 'failedConnections'
+  | 'iterations'
+  | 'objective'
+  | 'temperature'
+  | 'beams'
+  | 'gaps'
+  | 'collisions'
+  | 'failedConnections'
+  | 'terms'
 >;
 
 /** A layout that was the best for a while. */

@@ -6,13 +6,13 @@ import { text } from './text.ts';
 
 const WIDTH = 288;
 const TALL = 72;
-const LOW = 40;
+const LOW = 56;
 const PAD = 3;
 
 /** One curve of the chart: its name, its colour's class, its values. */
 interface Curve {
   readonly name: string;
-  readonly look: 'objective' | 'temperature' | 'gaps' | 'collisions' | 'failed';
+  readonly look: string;
   readonly value: (point: ChartPoint) => number;
 }
 
@@ -21,12 +21,24 @@ const ABOVE: readonly Curve[] = [
   { name: text.solve.temperature, look: 'temperature', value: (p) => p.temperature },
 ];
 
-/** What the objective punishes most, as counts of the best layout. */
-const BELOW: readonly Curve[] = [
-  { name: text.result.gaps, look: 'gaps', value: (p) => p.gaps },
-  { name: text.result.collisions, look: 'collisions', value: (p) => p.collisions },
-  { name: text.result.failedConnections, look: 'failed', value: (p) => p.failedConnections },
-];
+/** So many terms have a look of their own. */
+const TERM_LOOKS = 6;
+
+/** The terms that the objective of these points is made of, the largest first. */
+export function termCurves(points: readonly ChartPoint[]): readonly Curve[] {
+  const names = new Set(points.flatMap((point) => Object.keys(point.terms)));
+  const value = (name: string) => (point: ChartPoint) => point.terms[name] ?? 0;
+  const most = (name: string) => Math.max(...points.map(value(name)));
+  return [...names]
+    .filter((name) => most(name) > 0)
+    .sort((a, b) => most(b) - most(a) || (a < b ? -1 : 1))
+    .slice(0, TERM_LOOKS)
+    .map((name, i) => ({
+      name: (text.solve.term as Readonly<Record<string, string>>)[name] ?? name,
+      look: `term term-${i + 1}`,
+      value: value(name),
+    }));
+}
 
 /**
  * A curve in a box: steps of the search to the right, low values at the bottom.
@@ -62,13 +74,18 @@ function spanOf(
   return [Math.min(...all), Math.max(...all)];
 }
 
-/** Objective, temperature and counts of the best layout over the steps of the search. */
+/** Objective, temperature, and below what the objective is made of, over the steps of the search. */
 export function ProgressChart({ points }: { readonly points: readonly ChartPoint[] }) {
   const [at, setAt] = useState<number | null>(null);
   const label = fillWords(text.solve.chartText, {
     from: formatNumber(points[0]?.objective ?? 0, 2),
     to: formatNumber(points.at(-1)?.objective ?? 0, 2),
   });
+  const below = termCurves(points);
+  const [, high] = spanOf(
+    points,
+    below.map((curve) => curve.value),
+  );
   const chosen = (at === null ? undefined : points[at]) ?? points.at(-1);
   const onMove = (event: PointerEvent) => {
     const box = (event.currentTarget as Element).getBoundingClientRect();
@@ -88,8 +105,8 @@ export function ProgressChart({ points }: { readonly points: readonly ChartPoint
         ))}
         <g transform={`translate(0 ${TALL})`}>
           <path class="rule" d={`M0 0H${WIDTH}`} />
-          {BELOW.map(({ look, value }) => (
-            <path key={look} class={look} d={countPath(points, value)} />
+          {below.map(({ look, value }) => (
+            <path key={look} class={look} d={chartPath(points, value, [0, high], LOW)} />
           ))}
         </g>
         {at !== null && chosen ? (
@@ -97,7 +114,7 @@ export function ProgressChart({ points }: { readonly points: readonly ChartPoint
         ) : null}
       </svg>
       <figcaption>
-        {[...ABOVE, ...BELOW].map((curve) => (
+        {[...ABOVE, ...below].map((curve) => (
           <span key={curve.look} class={`legend ${curve.look}`}>
             {curve.name} <b>{chosen ? shortNumber(curve.value(chosen)) : ''}</b>
           </span>
@@ -105,15 +122,6 @@ export function ProgressChart({ points }: { readonly points: readonly ChartPoint
       </figcaption>
     </figure>
   );
-}
-
-/** Counts share one scale, from nothing. */
-function countPath(points: readonly ChartPoint[], value: (point: ChartPoint) => number): string {
-  const [, high] = spanOf(
-    points,
-    BELOW.map((curve) => curve.value),
-  );
-  return chartPath(points, value, [0, Math.max(1, high)], LOW);
 }
 
 function shortNumber(value: number): string {
