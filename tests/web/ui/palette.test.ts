@@ -28,30 +28,25 @@ describe('palette', () => {
 });
 
 describe('chart', () => {
+  const at = (iterations: number, terms: Record<string, number> = {}) => ({
+    iterations,
+    objective: 2,
+    temperature: 1,
+    beams: 3,
+    gaps: 0,
+    collisions: 0,
+    failedConnections: 0,
+    terms,
+  });
+
   it('shows the largest terms of the objective first, and none that stay nothing', () => {
-    const tallies = { temperature: 1, beams: 3, gaps: 0, collisions: 0, failedConnections: 0 };
-    const at = (iterations: number, terms: Record<string, number>) => ({
-      iterations,
-      objective: 2,
-      terms,
-      ...tallies,
-    });
     const curves = termCurves([at(0, { beams: 5, hinges: 0, holes: 1 }), at(9, { holes: 7 })]);
     expect(curves.map(({ look }) => look)).toEqual(['term term-1', 'term term-2']);
     expect(curves.map(({ value }) => value(at(3, { beams: 1, holes: 2 })))).toEqual([2, 1]);
   });
 
   it('stays in its box for a flat curve', () => {
-    const tallies = {
-      temperature: 1,
-      beams: 3,
-      gaps: 0,
-      collisions: 0,
-      failedConnections: 0,
-      terms: {},
-    };
-    const points = [0, 10].map((iterations) => ({ iterations, objective: 2, ...tallies }));
-    const path = chartPath(points, (point) => point.objective, [2, 2], 50);
+    const path = chartPath([at(0), at(10)], (point) => point.objective, [2, 2], 50);
     expect(path).not.toContain('NaN');
   });
 });

@@ -1,6 +1,8 @@
 import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
+import type { Catalogue } from '../../model/catalogue.ts';
 import { fillWords } from '../../tools/tool-words.ts';
+import { usePage } from '../page-context.ts';
 import type { GalleryRow } from './gallery-index.ts';
 import { galleryWords as words } from './gallery-words.ts';
 
@@ -10,7 +12,7 @@ type Loaded<T> =
   | { readonly state: 'failed'; readonly message: string };
 
 /** What a promise gives, asked for again when one of `inputs` changes. */
-export function useLoaded<T>(load: () => Promise<T>, inputs: readonly unknown[]): Loaded<T> {
+function useLoaded<T>(load: () => Promise<T>, inputs: readonly unknown[]): Loaded<T> {
   const [loaded, setLoaded] = useState<Loaded<T>>({ state: 'waiting' });
   useEffect(() => {
     let wanted = true;
@@ -28,14 +30,26 @@ export function useLoaded<T>(load: () => Promise<T>, inputs: readonly unknown[])
   return loaded;
 }
 
-/** One model of the gallery by itself: what it is, and below that what can be moved. */
-export function GalleryView<T>(props: {
+/** What every view of one gallery model is given. */
+export interface GalleryViewProps {
   readonly row: GalleryRow;
   readonly onBack: () => void;
-  readonly loaded: Loaded<T>;
-  readonly children: (value: T) => ComponentChildren;
-}) {
-  const { row, onBack, loaded, children } = props;
+}
+
+/**
+ * One model of the gallery by itself: what it is, and below that what can be moved.
+ * @param load makes what `children` show; asked again for another row or preset.
+ */
+export function GalleryView<T>(
+  props: GalleryViewProps & {
+    readonly load: (row: GalleryRow, preset: string, catalogue: Catalogue) => Promise<T>;
+    readonly children: (value: T) => ComponentChildren;
+  },
+) {
+  const { row, onBack, load, children } = props;
+  const { catalogue, preferences } = usePage();
+  const { preset } = preferences.value;
+  const loaded = useLoaded(() => load(row, preset, catalogue), [row, preset, catalogue]);
   return (
     <div class="gallery-view" data-model={row.id}>
       <button type="button" class="button plain" onClick={onBack}>

@@ -6,7 +6,7 @@ import { usePage } from '../page-context.ts';
 import { solveSketch } from '../share/solved-parts.ts';
 import { formatNumber } from '../text/language.ts';
 import { fetchJson, type GalleryRow, galleryFile, loadGallerySketch } from './gallery-index.ts';
-import { GalleryView, useLoaded } from './gallery-view.tsx';
+import { GalleryView, type GalleryViewProps } from './gallery-view.tsx';
 import { galleryWords as words } from './gallery-words.ts';
 import { type GearTrain, placeTrain, readGearTrain, withTrain } from './gear-train.ts';
 import { MovingPicture } from './moving-picture.tsx';
@@ -22,13 +22,9 @@ interface Geared {
 }
 
 /** A gallery model whose gears turn: by a crank, or by themselves. */
-export function GearView(props: { readonly row: GalleryRow; readonly onBack: () => void }) {
-  const { row, onBack } = props;
-  const { catalogue, preferences } = usePage();
-  const { preset } = preferences.value;
-  const loaded = useLoaded(() => load(row, preset, catalogue), [row, preset, catalogue]);
+export function GearView(props: GalleryViewProps) {
   return (
-    <GalleryView row={row} onBack={onBack} loaded={loaded}>
+    <GalleryView {...props} load={load}>
       {(geared) => <Turning geared={geared} />}
     </GalleryView>
   );

@@ -7,10 +7,9 @@ import type { Vec3 } from '../../model/vec.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { JointList } from '../checks/joints.tsx';
 import { MotionStudy } from '../checks/motion-study.ts';
-import { usePage } from '../page-context.ts';
 import { solveSketch } from '../share/solved-parts.ts';
 import { type GalleryRow, loadGallerySketch } from './gallery-index.ts';
-import { GalleryView, useLoaded } from './gallery-view.tsx';
+import { GalleryView, type GalleryViewProps } from './gallery-view.tsx';
 import { galleryWords as words } from './gallery-words.ts';
 import { MovingPicture } from './moving-picture.tsx';
 
@@ -22,13 +21,9 @@ interface Moving {
 }
 
 /** A gallery model whose joints turn: each by its own slider, within its range. */
-export function JointView(props: { readonly row: GalleryRow; readonly onBack: () => void }) {
-  const { row, onBack } = props;
-  const { catalogue, preferences } = usePage();
-  const { preset } = preferences.value;
-  const loaded = useLoaded(() => load(row, preset, catalogue), [row, preset, catalogue]);
+export function JointView(props: GalleryViewProps) {
   return (
-    <GalleryView row={row} onBack={onBack} loaded={loaded}>
+    <GalleryView {...props} load={load}>
       {(moving) => <Joints moving={moving} />}
     </GalleryView>
   );

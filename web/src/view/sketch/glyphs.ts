@@ -87,13 +87,9 @@ export class SketchGlyphs {
   #addJoint(joint: SketchJoint, colour: number): void {
     const material = this.#own(new MeshBasicMaterial({ color: colour }));
     const ring = new Mesh(this.#own(new TorusGeometry(JOINT.radius, JOINT.tube, 8, 40)), material);
-    const axis = new Mesh(
-      this.#own(new CylinderGeometry(JOINT.axisRadius, JOINT.axisRadius, JOINT.axisLength, 10)),
-      material,
-    );
     const direction = new Vector3(...joint.axis).normalize();
+    const axis = this.#rod(direction, JOINT.axisLength, material);
     ring.quaternion.copy(new Quaternion().setFromUnitVectors(UP, direction));
-    axis.quaternion.copy(new Quaternion().setFromUnitVectors(Y, direction));
     for (const mesh of [ring, axis]) {
       mesh.position.set(...joint.at);
       mesh.renderOrder = 13;
@@ -169,17 +165,25 @@ export class SketchGlyphs {
     this.group.add(arrow);
   }
 
+  /** A thin rod about the origin; `direction` has unit length. */
+  #rod(direction: Vector3, length: number, material: Material): Mesh {
+    const { axisRadius } = JOINT;
+    const rod = new Mesh(
+      this.#own(new CylinderGeometry(axisRadius, axisRadius, length, 10)),
+      material,
+    );
+    rod.quaternion.setFromUnitVectors(Y, direction);
+    return rod;
+  }
+
   #addAxis({ axis, point }: RotationSymmetry, bounds: Bounds, colour: number): void {
     const length = sizeOf(bounds) + 2 * SYMMETRY_MARGIN;
-    const rod = new Mesh(
-      this.#own(new CylinderGeometry(JOINT.axisRadius, JOINT.axisRadius, length, 10)),
-      this.#own(new MeshBasicMaterial({ color: colour })),
-    );
     const direction = new Vector3(...axis).normalize();
+    const material = this.#own(new MeshBasicMaterial({ color: colour }));
+    const rod = this.#rod(direction, length, material);
     const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
     const start = new Vector3(...point);
     rod.position.copy(start).addScaledVector(direction, middle.sub(start).dot(direction));
-    rod.quaternion.setFromUnitVectors(Y, direction);
     rod.renderOrder = 14;
     this.group.add(rod);
   }
