@@ -56,9 +56,11 @@ for (const room of ['instructions', 'share', 'gallery', 'lessons']) {
 }
 
 test('the page speaks German to those who ask for it', async ({ page }) => {
-  await page.goto('/?lang=de');
+  await page.goto('/?lang=de#s2.broken.0');
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible();
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');
+  await expect(page.getByRole('alert')).toContainText('Dieser Link ist beschädigt');
+  await expect(page.getByText('Jedes Teil gibt es')).toBeAttached({ timeout: 60_000 });
   await page.keyboard.press('Control+k');
   await page.locator('.palette-input').fill('sprache english');
   await page.keyboard.press('Enter');

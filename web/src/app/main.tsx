@@ -12,6 +12,7 @@ import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
+import { loadSentences } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { Thumbnails } from '../view/still/thumbnails.ts';
 import '../../styles/tokens.css';
@@ -199,7 +200,9 @@ async function start(): Promise<void> {
     newId: () => crypto.randomUUID(),
     onFailure: () => toaster.error(text.files.storeFull),
   });
-  await openFirst(controller, await shelf.begin(library));
+  const saved = await shelf.begin(library);
+  await loadSentences();
+  await openFirst(controller, saved);
   shelf.keepEdits();
   followLanguage(preferences, () => shelf.kept());
   watchSketch(state, client);

@@ -20,6 +20,7 @@ import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
 import type { Example, LayoutSnapshot, PartKind } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
+import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { Actions, CameraMove } from './actions.ts';
@@ -295,7 +296,7 @@ export class PageController implements Actions {
     focusedProblem.value = same ? null : index;
     const problem = same ? null : result.value?.problems[index];
     if (problem) {
-      this.announce(problem.message);
+      this.announce(inWords(problem.message));
       this.scene.showPlace(problem);
     }
   };

@@ -8,6 +8,7 @@ import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { saveFile } from '../ui/share/save-file.ts';
+import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { fileName } from './download.ts';
 import { readOpenedFile } from './files.ts';
@@ -111,7 +112,7 @@ export class PageFiles {
   }
 
   #refuse(name: string, message: string): void {
-    this.#context.toaster.error(fillWords(text.files.refused, { name, message }));
+    this.#context.toaster.error(fillWords(text.files.refused, { name, message: inWords(message) }));
   }
 
   readonly saveSketch = (): void => {
@@ -132,7 +133,9 @@ export class PageFiles {
       return;
     }
     const failed = (message: string) =>
-      this.#context.toaster.error(fillWords(text.files.exportFailed, { message }));
+      this.#context.toaster.error(
+        fillWords(text.files.exportFailed, { message: inWords(message) }),
+      );
     this.#context.client.exportModel(shown.json, format).then(
       (result) => {
         if (result.outcome === 'ok') {

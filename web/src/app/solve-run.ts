@@ -5,6 +5,7 @@ import type { SolveResult, SolverClient } from '../solver/client.ts';
 import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
 import type { ChartPoint, LayoutSnapshot, ShownModel, SolveState } from '../ui/page.ts';
+import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { readModel } from './read-model.ts';
 
@@ -150,7 +151,7 @@ export class SolveRun {
   async #ended(sketch: SketchDocument, result: SolveResult): Promise<void> {
     switch (result.outcome) {
       case 'refused':
-        this.#end('refused', result.message);
+        this.#end('refused', inWords(result.message));
         return;
       case 'cancelled':
         await this.#cancelled();

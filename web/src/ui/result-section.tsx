@@ -5,6 +5,7 @@ import { Icon } from './icon.tsx';
 import type { ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
 import { formatNumber } from './text/language.ts';
+import { inWords } from './text/sentences.ts';
 import { text } from './text.ts';
 
 const SHOWN_PROBLEMS = 12;
@@ -34,7 +35,7 @@ export function ResultSection() {
 
 function Verdict({ result, stale }: { readonly result: ResultState; readonly stale: boolean }) {
   const failed = result.items.filter((item) => !item.ok);
-  const list = failed.map((item) => item.title.toLowerCase()).join('; ');
+  const list = failed.map((item) => inWords(item.title).toLowerCase()).join('; ');
   const why = list === '' ? text.result.failedCount : fillWords(text.result.failedChecks, { list });
   const note = stale
     ? text.solve.stale
@@ -144,7 +145,7 @@ function Problems({ problems }: { readonly problems: readonly Problem[] }) {
               onClick={() => page.focusProblem(i)}
             >
               <Icon name="alert" />
-              <span>{problem.message}</span>
+              <span>{inWords(problem.message)}</span>
             </button>
           </li>
         ))}

@@ -1,5 +1,6 @@
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
+import { inWords } from './text/sentences.ts';
 import { text } from './text.ts';
 
 /** Short messages; those about something that went wrong stay until they are closed. */
@@ -14,7 +15,7 @@ export function Toasts() {
           role={toast.kind === 'error' ? 'alert' : 'status'}
         >
           <Icon name={toast.kind === 'error' ? 'alert' : 'info'} />
-          <p>{toast.message}</p>
+          <p>{inWords(toast.message)}</p>
           <button
             type="button"
             class="icon-button small"

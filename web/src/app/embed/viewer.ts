@@ -6,6 +6,7 @@ import { linkedPreferences } from '../../share/shared-state.ts';
 import { createSolverClient } from '../../solver/client.ts';
 import { readSketchValue, writeSketch } from '../../state/read-sketch.ts';
 import { chooseWords } from '../../ui/text/language.ts';
+import { inWords, loadSentences } from '../../ui/text/sentences.ts';
 import { SceneView } from '../../view/scene-view.ts';
 import { readModel } from '../read-model.ts';
 import { settingsOf } from '../solve-settings.ts';
@@ -37,15 +38,15 @@ export async function showLink(host: HTMLElement, fragment: string): Promise<voi
   const status = document.createElement('p');
   status.className = 'embed-status';
   status.setAttribute('role', 'status');
-  const shared = await decodeShare(fragment);
+  const [shared] = await Promise.all([decodeShare(fragment), loadSentences()]);
   if (!shared?.ok) {
-    status.textContent = shared ? shared.message : WORDS.none;
+    status.textContent = shared ? inWords(shared.message) : WORDS.none;
     host.append(status);
     return;
   }
   const sketch = readSketchValue(shared.value.sketch);
   if (!sketch.ok) {
-    status.textContent = sketch.message;
+    status.textContent = inWords(sketch.message);
     host.append(status);
     return;
   }

@@ -3,6 +3,7 @@ import { Section } from '../controls.tsx';
 import { Icon, type IconName } from '../icon.tsx';
 import type { ResultState, ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
+import { inWords } from '../text/sentences.ts';
 import { text } from '../text.ts';
 import { CHECK_VIEWS, type CheckStatus, type CheckView } from './check-registry.ts';
 
@@ -28,8 +29,8 @@ export function ChecksSection({ result }: { readonly result: ResultState }) {
           <li key={item.id} class={item.ok ? 'ok' : 'bad'}>
             <Icon name={item.ok ? 'check' : 'alert'} />
             <div>
-              {item.title}
-              {item.detail ? <p class="quiet">{item.detail}</p> : null}
+              {inWords(item.title)}
+              {item.detail ? <p class="quiet">{inWords(item.detail)}</p> : null}
             </div>
           </li>
         ))}

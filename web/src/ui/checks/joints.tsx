@@ -8,6 +8,7 @@ import { answerOf, motionStatus } from './motion-status.ts';
 import { type MotionStudy, motionStudyOf } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
 import './motion.css';
+import { inWords } from '../text/sentences.ts';
 
 /** Each joint of the sketch with its range; one of them can be turned. */
 export const JOINTS_CHECK: CheckView = {
@@ -71,7 +72,7 @@ export function JointList(props: {
             {words.joint(String(joint.index + 1))}
           </button>{' '}
           <span class="quiet">{rangeText(joint)}</span>
-          {joint.turns ? null : <p class="quiet">{joint.message}</p>}
+          {joint.turns ? null : <p class="quiet">{inWords(joint.message)}</p>}
           {open === joint.index && joint.turns ? (
             <MotionPlayer
               study={study}

@@ -4,6 +4,7 @@ import type { PartDisplay } from '../../view/view-types.ts';
 import { Icon } from '../icon.tsx';
 import { usePage } from '../page-context.ts';
 import { formatNumber } from '../text/language.ts';
+import { inWords } from '../text/sentences.ts';
 import type { MotionStudy, Mover } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
 
@@ -28,12 +29,12 @@ export function MotionPlayer(props: {
   if (error) {
     return (
       <p role="alert">
-        {words.failed} {error}
+        {words.failed} {inWords(error)}
       </p>
     );
   }
   if (!path?.turns) {
-    return path ? <p class="quiet">{path.message}</p> : null;
+    return path ? <p class="quiet">{inWords(path.message)}</p> : null;
   }
   const least = path.angles[0] ?? 0;
   const most = path.angles.at(-1) ?? 0;

@@ -16,6 +16,7 @@ import { useStressScene } from './stress-scene.ts';
 import { type StressProgress, studyOf } from './stress-study.ts';
 import { stressWords as words } from './stress-words.ts';
 import './stress.css';
+import { inWords } from '../text/sentences.ts';
 
 /** Below this a part breaks; above the other it is far from breaking. */
 const ENOUGH = 1.5;
@@ -74,7 +75,7 @@ function StressCheck({ shown }: CheckProps) {
       />
       {progress.state === 'failed' ? (
         <p role="alert">
-          {words.failed} {progress.message}
+          {words.failed} {inWords(progress.message)}
         </p>
       ) : null}
       {answer ? <Answer answer={answer} bend={bend} onBend={setBend} /> : null}
@@ -92,7 +93,7 @@ function Answer(props: {
   if (!answer.ok) {
     return (
       <p role="status">
-        <strong>{words.moves}</strong> <span class="quiet">{answer.message}</span>
+        <strong>{words.moves}</strong> <span class="quiet">{inWords(answer.message)}</span>
       </p>
     );
   }
@@ -115,7 +116,7 @@ function Answer(props: {
           {bend > 0 ? words.times(formatNumber(times, times < 10 ? 1 : 0)) : words.drawn}
         </span>
       </label>
-      {answer.message ? <p class="quiet">{answer.message}</p> : null}
+      {answer.message ? <p class="quiet">{inWords(answer.message)}</p> : null}
     </>
   );
 }

@@ -3,6 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import type { Catalogue } from '../../model/catalogue.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { usePage } from '../page-context.ts';
+import { inWords } from '../text/sentences.ts';
 import type { GalleryRow } from './gallery-index.ts';
 import { galleryWords as words } from './gallery-words.ts';
 
@@ -59,7 +60,7 @@ export function GalleryView<T>(
       <p class="quiet">{row.text}</p>
       {loaded.state === 'waiting' ? <p role="status">{words.working}</p> : null}
       {loaded.state === 'failed' ? (
-        <p role="alert">{fillWords(words.failed, { message: loaded.message })}</p>
+        <p role="alert">{fillWords(words.failed, { message: inWords(loaded.message) })}</p>
       ) : null}
       {loaded.state === 'done' ? children(loaded.value) : null}
     </div>

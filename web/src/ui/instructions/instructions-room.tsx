@@ -12,6 +12,7 @@ import { PartsView } from './parts-view.tsx';
 import { PdfButtons } from './pdf-buttons.tsx';
 import { StepsView } from './steps-view.tsx';
 import './instructions.css';
+import { inWords } from '../text/sentences.ts';
 
 type Tab = keyof typeof words.tabs;
 type Loaded =
@@ -60,7 +61,7 @@ function Instructions({ shown, title }: { readonly shown: ShownModel; readonly t
   if (loaded.state === 'failed') {
     return (
       <p class="instructions-note" role="alert">
-        {fillWords(words.failed, { message: loaded.message })}
+        {fillWords(words.failed, { message: inWords(loaded.message) })}
       </p>
     );
   }

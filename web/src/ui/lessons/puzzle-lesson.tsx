@@ -3,6 +3,7 @@ import { fillWords } from '../../tools/tool-words.ts';
 import { Segmented } from '../controls.tsx';
 import { usePage } from '../page-context.ts';
 import { roomSolver } from '../share/room-solver.ts';
+import { inWords } from '../text/sentences.ts';
 import {
   CELL,
   FEWEST,
@@ -138,7 +139,7 @@ function SolverPlay(props: {
     const result = await roomSolver().solve(sketch, { seed, set });
     running.current = false;
     if (result.outcome !== 'solved') {
-      setSaid(result.outcome === 'refused' ? result.message : words.solverFailed);
+      setSaid(result.outcome === 'refused' ? inWords(result.message) : words.solverFailed);
       return;
     }
     const report = JSON.parse(result.reportJson) as { beams?: number; buildable?: boolean };

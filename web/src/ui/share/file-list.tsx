@@ -1,5 +1,6 @@
 import { useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
+import { inWords } from '../text/sentences.ts';
 import {
   FILE_ROWS,
   type FileGroup,
@@ -27,7 +28,7 @@ export function FileList({ source }: { readonly source: FileSource }) {
       setSaid({ text: fillWords(shareWords.written, { name }), bad: false });
     } catch (error) {
       const message = error instanceof Error ? error.message : String(error);
-      setSaid({ text: fillWords(shareWords.failed, { message }), bad: true });
+      setSaid({ text: fillWords(shareWords.failed, { message: inWords(message) }), bad: true });
     } finally {
       setBusy(null);
     }

@@ -9,6 +9,7 @@ import { LinkSection } from './link-section.tsx';
 import { linkTo } from './page-link.ts';
 import { shareWords } from './share-words.ts';
 import './share.css';
+import { inWords } from '../text/sentences.ts';
 
 /** Link, QR code, embedding, and every file that can be downloaded. */
 export function ShareRoom() {
@@ -43,7 +44,7 @@ export function ShareRoom() {
   const out: Vec3 = eye ? scale(eye, -1) : ISO_OUT;
   return (
     <div class="share-room">
-      {link.refusal ? <p role="alert">{link.refusal}</p> : null}
+      {link.refusal ? <p role="alert">{inWords(link.refusal)}</p> : null}
       {link.url ? <LinkSection url={link.url} title={title} /> : null}
       <FileList
         source={{

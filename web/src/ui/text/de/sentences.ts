@@ -1,0 +1,116 @@
+import type { Sentences } from '../sentences.ts';
+import { CHECKED_DE } from './sentences-checked.ts';
+import { READ_DE } from './sentences-read.ts';
+
+const FILES: Sentences = [
+  [
+    'the list has more than {n} rows, which is the limit',
+    'die Liste hat mehr als {n} Zeilen; das ist die Grenze',
+  ],
+  [
+    'no row has a part number and a count, such as "32524,8"',
+    'keine Zeile hat eine Teilenummer und eine Anzahl wie "32524,8"',
+  ],
+  [
+    'the file holds no parts (lines that begin with "1")',
+    'die Datei enthält keine Teile (Zeilen, die mit "1" beginnen)',
+  ],
+  ['more than {n} submodels, which is the limit', 'mehr als {n} Untermodelle; das ist die Grenze'],
+  [
+    'line {n}: a part needs a colour, twelve numbers and a file name',
+    'Zeile {n}: Ein Teil braucht eine Farbe, zwölf Zahlen und einen Dateinamen',
+  ],
+  [
+    '{file}: submodels are nested more than {n} deep',
+    '{file}: Untermodelle liegen mehr als {n}-fach ineinander',
+  ],
+  ['part {part} is not in the catalogue', 'Teil {part} ist nicht im Katalog'],
+  ['more than {n} parts, which is the limit', 'mehr als {n} Teile; das ist die Grenze'],
+  ['more than {n} lines, which is the limit', 'mehr als {n} Linien; das ist die Grenze'],
+  [
+    'the file holds no line segments (records that begin with "l")',
+    'die Datei enthält keine Strecken (Einträge, die mit "l" beginnen)',
+  ],
+  [
+    'the file has {n} rows, at most {most} are allowed',
+    'die Datei hat {n} Zeilen, höchstens {most} sind erlaubt',
+  ],
+  [
+    '{place}: a surface; only line segments (v and l) can be read',
+    '{place}: eine Fläche; nur Strecken (v und l) können gelesen werden',
+  ],
+  [
+    '{place}: "v" should have three numbers, at most {n} each',
+    '{place}: "v" braucht drei Zahlen, jede höchstens {n}',
+  ],
+  [
+    '{place}: "l" should name at least two vertices',
+    '{place}: "l" muss mindestens zwei Ecken nennen',
+  ],
+  ['{place}: there is no vertex {n}', '{place}: Es gibt keine Ecke {n}'],
+];
+
+const LINKS: Sentences = [
+  [
+    'A link holds at most {n} lines. Send the sketch file instead.',
+    'Ein Link fasst höchstens {n} Linien. Bitte stattdessen die Skizzendatei senden.',
+  ],
+  [
+    'This sketch is too large for a link. Send the sketch file instead.',
+    'Diese Skizze ist für einen Link zu groß. Bitte stattdessen die Skizzendatei senden.',
+  ],
+  [
+    'This link was made by a newer version of this page. Reload the page and try again.',
+    'Diesen Link hat eine neuere Fassung dieser Seite gemacht. Bitte die Seite neu laden und es noch einmal versuchen.',
+  ],
+  [
+    'This link is damaged: a part of it is missing or changed.',
+    'Dieser Link ist beschädigt: Ein Stück fehlt oder wurde verändert.',
+  ],
+];
+
+const INSIDE: Sentences = [
+  ['the building sequence is unreadable', 'die Baufolge ist nicht lesbar'],
+  ['the solver stopped unexpectedly', 'die Suche ist unerwartet stehen geblieben'],
+  ['the solver could not be loaded', 'die Suche konnte nicht geladen werden'],
+  [
+    'should be a list of shafts with at and parts',
+    'muss eine Liste von Wellen mit at und parts sein',
+  ],
+  ['a shaft meshes with no other', 'eine Welle greift in keine andere'],
+  ['the train is locked', 'das Getriebe klemmt'],
+];
+
+/** Phrases that stand inside sentences. */
+export const PHRASES_DE: Sentences = [
+  ['an object', 'ein Objekt'],
+  ['an array', 'eine Liste'],
+  ['an array of {n}', 'eine Liste von {n}'],
+  ['the text {text}', 'der Text {text}'],
+  ['the number {n}', 'die Zahl {n}'],
+  ['something else', 'etwas anderes'],
+  ['lines', 'Linien'],
+  ['{n} numbers', '{n} Zahlen'],
+  ['line numbers', 'Liniennummern'],
+  ['part {n} ({name})', 'Teil {n} ({name})'],
+  ['row {n}', 'Zeile {n}'],
+  ['line {n}', 'Zeile {n}'],
+  ['{list} and {n} more', '{list} und {n} weitere'],
+  ['{a} and {b}', '{a} und {b}'],
+  ['{a} or {b}', '{a} oder {b}'],
+  ['three numbers [x, y, z]', 'drei Zahlen [x, y, z]'],
+  ['three numbers', 'drei Zahlen'],
+  ['two groups of line numbers', 'zwei Gruppen von Liniennummern'],
+  ['pairs of line numbers', 'Paare von Liniennummern'],
+  ['pairs of line numbers, such as [[0, 1]]', 'Paare von Liniennummern, etwa [[0, 1]]'],
+  ['a direction [x, y, z]', 'eine Richtung [x, y, z]'],
+  ['a shift [x, y, z]', 'eine Verschiebung [x, y, z]'],
+  ['a number of modules', 'eine Zahl von Modulen'],
+  ['an array of lines', 'eine Liste von Linien'],
+];
+
+/**
+ * What the core and the readers of files say, in German. Where two forms fit, the first is taken: the longer
+ * one stands above.
+ */
+export const SENTENCES_DE: Sentences = [...READ_DE, ...CHECKED_DE, ...FILES, ...LINKS, ...INSIDE];
