@@ -9,6 +9,12 @@ export interface Problem {
   readonly parts?: readonly number[];
 }
 
+/** A straight piece of the sketch, modules. */
+export interface Stretch {
+  readonly from: Vec3;
+  readonly to: Vec3;
+}
+
 /** The report of a solve (DESIGN 4). Keys that a run does not fill are left out. */
 export interface Report {
   readonly name?: string;
@@ -30,6 +36,8 @@ export interface Report {
   readonly deviation?: number;
   readonly layerRange?: number;
   readonly symmetryDeviation?: number;
+  /** Stretches whose beams differ from their images, though the sketch's symmetries ask for the same. */
+  readonly asymmetric?: readonly Stretch[];
   readonly rigidSubsets?: number;
   /** Internal degrees of freedom. */
   readonly freedoms?: number;

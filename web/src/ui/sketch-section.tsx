@@ -1,11 +1,13 @@
 import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
+import type { Stretch } from '../model/report.ts';
 import type { SketchSymmetry } from '../model/sketch.ts';
+import type { Vec3 } from '../model/vec.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
-import { formatNumber } from './text/language.ts';
+import { formatNumber, formatPoint } from './text/language.ts';
 import { text } from './text.ts';
 
 const SHOWN = 6;
@@ -72,8 +74,42 @@ export function SymmetrySection() {
           <Found key={JSON.stringify(symmetry)} symmetry={symmetry} />
         ))}
       </ul>
+      <Differences />
     </Section>
   );
+}
+
+/** Where the model's sides differ although a symmetry is kept. */
+function Differences() {
+  const page = usePage();
+  const stretches = page.stale.value ? [] : (page.result.value?.report.asymmetric ?? []);
+  if (stretches.length === 0) {
+    return null;
+  }
+  return (
+    <>
+      <p class="quiet">{text.symmetry.differs}</p>
+      <ul class="symmetries" data-testid="differences">
+        {stretches.slice(0, SHOWN).map((stretch) => (
+          <li key={JSON.stringify(stretch)}>
+            <button type="button" class="problem" onClick={() => page.showPlace(middleOf(stretch))}>
+              <Icon name="info" />
+              <span>
+                {formatPoint(stretch.from)} – {formatPoint(stretch.to)}
+              </span>
+            </button>
+          </li>
+        ))}
+      </ul>
+      {stretches.length > SHOWN ? (
+        <p class="quiet">{fillWords(text.result.more, { n: stretches.length - SHOWN })}</p>
+      ) : null}
+    </>
+  );
+}
+
+function middleOf({ from, to }: Stretch): Vec3 {
+  return [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2, (from[2] + to[2]) / 2];
 }
 
 /** A symmetry shows itself in the scene while one is about to confirm it. */

@@ -2,7 +2,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { type Brace, groupColours, type MotionAnswer } from '../../model/motion.ts';
 import { addLines } from '../../state/edits.ts';
 import { usePage } from '../page-context.ts';
-import { formatNumber } from '../text/language.ts';
+import { formatNumber, formatPoint } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
 import { MotionPlayer, useSceneDisplay } from './motion-player.tsx';
 import { answerOf, motionStatus } from './motion-status.ts';
@@ -135,7 +135,7 @@ function Braces({ braces }: { readonly braces: readonly Brace[] }) {
               {words.brace(formatNumber(lengthOf(brace)))}
             </button>{' '}
             <span class="quiet">
-              {pointText(brace.from)} – {pointText(brace.to)}
+              {formatPoint(brace.from)} – {formatPoint(brace.to)}
             </span>
           </li>
         ))}
@@ -146,8 +146,4 @@ function Braces({ braces }: { readonly braces: readonly Brace[] }) {
 
 function lengthOf({ from, to }: Brace): number {
   return Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
-}
-
-function pointText(point: readonly number[]): string {
-  return `(${point.map((value) => Math.round(value * 100) / 100).join(', ')})`;
 }

@@ -34,6 +34,13 @@ export function formatNumber(value: number, digits = 0): string {
   });
 }
 
+/** A point in modules, such as `(8, 0, 2.5)`. */
+export function formatPoint(point: readonly number[]): string {
+  const values = point.map((value) => value.toLocaleString(language, { maximumFractionDigits: 2 }));
+  // A comma that is a decimal sign already does not part numbers too.
+  return `(${values.join(language === 'de' ? '; ' : ', ')})`;
+}
+
 function chosenLanguage(): Language {
   if (typeof document === 'undefined') {
     return 'en';

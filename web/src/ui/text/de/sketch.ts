@@ -24,5 +24,6 @@ export const SKETCH_DE: Words<typeof SKETCH_EN> = {
     foundNote: '{n} gefunden',
     edit: 'Symmetrie',
     confirmed: 'Die Symmetrie gilt.',
+    differs: 'Hier sind die Seiten verschieden: die Teile ließen dasselbe auf beiden nicht zu.',
   },
 };

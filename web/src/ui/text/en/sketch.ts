@@ -22,5 +22,6 @@ export const SKETCH_EN = {
     foundNote: '{n} found',
     edit: 'Symmetry',
     confirmed: 'Symmetry kept.',
+    differs: 'Here the sides differ: the parts did not allow the same on both.',
   },
 } as const;
