@@ -4,8 +4,8 @@
 
 namespace liftarm::layout {
 
-std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b) {
-  std::vector<int> pins;
+InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b) {
+  InlinePins pins;
   const int first = std::max(a.start, b.start);
   const int last = std::min(a.last(), b.last());
   if (a.layer - b.layer != 1 && b.layer - a.layer != 1) {
@@ -15,11 +15,9 @@ std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Bea
     const bool junction = std::find(run.junctionIndices.begin(), run.junctionIndices.end(), i) !=
                           run.junctionIndices.end();
     if (!junction) {
-      pins.push_back(i);
+      pins.nodes[pins.count == 0 ? 0 : 1] = i;
+      pins.count = std::min(pins.count + 1, 2);
     }
-  }
-  if (pins.size() > 2) {
-    pins = {pins.front(), pins.back()};
   }
   return pins;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "guide/guiding_graph.h"
@@ -53,10 +54,24 @@ inline Stadium stadiumOf(const guide::GuidingGraph& graph,
           axis};
 }
 
+//! \brief Up to two node indices of a run, ascending.
+struct InlinePins {
+  std::array<int, 2> nodes{};
+  int count = 0;
+
+  [[nodiscard]] const int* begin() const { return nodes.data(); }
+
+  [[nodiscard]] const int* end() const { return nodes.data() + count; }
+
+  [[nodiscard]] bool has(int node) const {
+    return (count > 0 && nodes[0] == node) || (count > 1 && nodes[1] == node);
+  }
+};
+
 //! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those that
 //! both have and that are no junction (junctions are pinned by their own group), the first and the
-//! last. \return Node indices; empty when all shared nodes are junctions.
-std::vector<int> inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
+//! last. \return None when all shared nodes are junctions.
+InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
 
 //! \brief Whether two beams are the arms of one L beam.
 inline bool isOneBeam(int runA, const Beam& a, int runB, const Beam& b) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -62,6 +63,9 @@ class LocalProblem {
 
   [[nodiscard]] const std::vector<LocalHole>& holes() const { return holes_; }
 
+  //! \brief The cells that are not empty, each once.
+  [[nodiscard]] const std::vector<int>& cells() const { return touched_; }
+
   //! \brief Equal for equal problems; the order in which they were described does not matter.
   [[nodiscard]] std::uint64_t hash() const;
 
@@ -73,12 +77,18 @@ class LocalProblem {
   std::vector<int> touched_;
 };
 
+class ConnectionSearch;
+
 //! \brief The beam connection procedure (paper 5.2) for one junction: the cheapest set of
 //! mechanisms that joins all its beams, stacks and posts together (DESIGN 7), by depth-first search
 //! over the mechanisms that fit, with a bound. Answers are kept by the hash of the problem.
 class ConnectionSolver {
  public:
-  explicit ConnectionSolver(const mechanisms::MechanismTable& table) : table_(&table) {}
+  //! \pre table outlives the solver.
+  explicit ConnectionSolver(const mechanisms::MechanismTable& table);
+  ~ConnectionSolver();
+  ConnectionSolver(const ConnectionSolver&) = delete;
+  ConnectionSolver& operator=(const ConnectionSolver&) = delete;
 
   const Connection& solve(const LocalProblem& problem);
 
@@ -90,6 +100,7 @@ class ConnectionSolver {
 
  private:
   const mechanisms::MechanismTable* table_;
+  std::unique_ptr<ConnectionSearch> search_;
   std::unordered_map<std::uint64_t, Connection> known_;  // looked up only, never walked
   std::size_t hits_ = 0;
   std::size_t misses_ = 0;

@@ -1,6 +1,7 @@
 #include "layout/layout.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/check.h"
 #include "layout/stack.h"
@@ -64,7 +65,7 @@ void Layout::addRun(const RunState& state, int run, int sign) {
     if (b > 0) {
       const Beam& before = state.cover.beams[b - 1];
       const int shared = before.last() - beam.start + 1;
-      const auto pins = static_cast<int>(inlinePins(guideRun, before, beam).size());
+      const auto pins = inlinePins(guideRun, before, beam).count;
       tallies_.hinges += sign * (shared == 1 ? 1 : 0);
       tallies_.connectors += sign * pins;
       tallies_.mechanisms += sign * pins;
@@ -256,21 +257,18 @@ int Layout::stackViolationsAt(int junction) const {
 }
 
 void Layout::countStack(int junction, JunctionState* state) const {
-  const guide::Junction& guideJunction = problem_->graph.junctions[at(junction)];
-  for (int axis = 0; axis < 3; ++axis) {
-    unsigned layers = 0;
-    for (const guide::Incidence& incidence : guideJunction.incident) {
-      const Cover& cover = runs_[at(incidence.run)].cover;
-      if (lattice::index(cover.axis) != axis) {
-        continue;
-      }
-      for (const Beam& beam : cover.beams) {
-        if (beam.start <= incidence.index && beam.last() >= incidence.index) {
-          layers |= 1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
-        }
+  std::array<unsigned, 3> layers{};  // in use, by hole axis
+  for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
+    const Cover& cover = runs_[at(incidence.run)].cover;
+    for (const Beam& beam : cover.beams) {
+      if (beam.start <= incidence.index && beam.last() >= incidence.index) {
+        layers[at(lattice::index(cover.axis))] |=
+            1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
       }
     }
-    const StackFaults faults = stackFaults(layers);
+  }
+  for (const unsigned stack : layers) {
+    const StackFaults faults = stackFaults(stack);
     state->gaps += faults.gaps;
     state->overfull += faults.overfull;
   }

@@ -30,19 +30,22 @@ Cell scaled(int s, Cell c) {
   return {s * c.x, s * c.y, s * c.z};
 }
 
-//! Whether beam b of the cover is pinned at node i to the beam before or after it.
-bool pinnedInline(const guide::GuideRun& run, const Cover& cover, std::size_t b, int i) {
-  for (const std::size_t other : {b - 1, b + 1}) {
-    if (other < cover.beams.size()) {  // b - 1 wraps around for the first beam
-      const std::vector<int> pins =
-          inlinePins(run, cover.beams[std::min(b, other)], cover.beams[std::max(b, other)]);
-      if (std::find(pins.begin(), pins.end(), i) != pins.end()) {
-        return true;
-      }
+//! Where a beam of a cover is pinned to the one before it, and to the one after it.
+struct PinnedNodes {
+  InlinePins before;
+  InlinePins after;
+
+  PinnedNodes(const guide::GuideRun& run, const Cover& cover, std::size_t b) {
+    if (b > 0) {
+      before = inlinePins(run, cover.beams[b - 1], cover.beams[b]);
+    }
+    if (b + 1 < cover.beams.size()) {
+      after = inlinePins(run, cover.beams[b], cover.beams[b + 1]);
     }
   }
-  return false;
-}
+
+  [[nodiscard]] bool has(int node) const { return before.has(node) || after.has(node); }
+};
 
 //! One cell of a neighbouring junction's mechanism, on another lattice than the box's.
 void blockAround(LocalProblem* local, Vec3 p) {
@@ -144,8 +147,9 @@ void Layout::fillRun(const RunView& view) {
         static_cast<double>(beam.start) > view.high) {
       continue;
     }
+    const PinnedNodes pinned(run, cover, b);
     int terminal = -1;
-    for (std::size_t t = 0; t < localTerminals_.size(); ++t) {
+    for (std::size_t t = 0; t < localTerminals_.size() && view.incidentIndex >= 0; ++t) {
       if (localTerminals_[t] == std::pair<int, int>{view.run, static_cast<int>(b)}) {
         terminal = static_cast<int>(t);
       }
@@ -160,7 +164,7 @@ void Layout::fillRun(const RunView& view) {
            ++i) {
         const Cell cell = view.base + scaled(i, view.step) + shift;
         if (inBox(cell) && i != corner) {
-          local_.addHole({cell, cover.axis, terminal, foreign || pinnedInline(run, cover, b, i)});
+          local_.addHole({cell, cover.axis, terminal, foreign || pinned.has(i)});
         }
       }
       continue;
@@ -176,7 +180,7 @@ void Layout::fillRun(const RunView& view) {
     for (const auto& [i, nodeCell] : view.onLattice) {
       const Cell cell = nodeCell + shift;
       if (beam.start <= i && beam.last() >= i && inBox(cell)) {
-        local_.addHole({cell, cover.axis, terminal, foreign || pinnedInline(run, cover, b, i)});
+        local_.addHole({cell, cover.axis, terminal, foreign || pinned.has(i)});
       }
     }
   }
@@ -226,8 +230,9 @@ bool Layout::fillProblem(int junction) {
       if (runA == runB && (beamA - beamB == 1 || beamB - beamA == 1)) {
         const std::vector<Beam>& beams = runs_[at(runA)].cover.beams;
         const guide::GuideRun& run = problem_->graph.runs[at(runA)];
-        if (!inlinePins(run, beams[at(std::min(beamA, beamB))], beams[at(std::max(beamA, beamB))])
-                 .empty()) {
+        const InlinePins pins =
+            inlinePins(run, beams[at(std::min(beamA, beamB))], beams[at(std::max(beamA, beamB))]);
+        if (pins.count > 0) {
           local_.join(static_cast<int>(a), static_cast<int>(b));
         }
       }

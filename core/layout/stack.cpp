@@ -1,6 +1,7 @@
 #include "layout/stack.h"
 
 #include <algorithm>
+#include <array>
 
 namespace liftarm::layout {
 
@@ -8,9 +9,7 @@ namespace {
 
 constexpr int kMostInStack = 4;  // an axle of five modules, with stop and bush, holds no more
 
-}  // namespace
-
-StackFaults stackFaults(unsigned layers) {
+constexpr StackFaults faultsOf(unsigned layers) {
   int low = -1;
   int high = -1;
   int count = 0;
@@ -25,6 +24,24 @@ StackFaults stackFaults(unsigned layers) {
     return {};
   }
   return {high - low + 1 - count, std::max(0, count - kMostInStack)};
+}
+
+using FaultTable = std::array<StackFaults, 1U << static_cast<unsigned>(kLayerCount)>;
+
+constexpr FaultTable countAll() {
+  FaultTable all{};
+  for (unsigned layers = 0; layers < all.size(); ++layers) {
+    all[layers] = faultsOf(layers);
+  }
+  return all;
+}
+
+constexpr FaultTable kFaults = countAll();  // asked for each node of each cover
+
+}  // namespace
+
+StackFaults stackFaults(unsigned layers) {
+  return kFaults[layers];
 }
 
 }  // namespace liftarm::layout

@@ -37,9 +37,8 @@ void addTo(PaperSums* sums, const PaperSums& other, int sign) {
   sums->uncovered += sign * other.uncovered;
 }
 
-bool sharePin(const std::vector<int>& a, const std::vector<int>& b) {
-  return std::any_of(
-      a.begin(), a.end(), [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
+bool sharePin(const layout::InlinePins& a, const layout::InlinePins& b) {
+  return std::any_of(a.begin(), a.end(), [&](int node) { return b.has(node); });
 }
 
 }  // namespace
@@ -233,9 +232,9 @@ int PaperLayout::failuresOf(int run) const {
     std::replace(cluster.begin(), cluster.end(), from, cluster[b]);
   };
   int failures = 0;
-  std::vector<int> pinsBefore;
+  layout::InlinePins pinsBefore;
   for (std::size_t b = 0; b < beams.size(); ++b) {
-    std::vector<int> pins;
+    layout::InlinePins pins;
     if (b > 0) {
       pins = layout::inlinePins(guideRun, beams[b - 1], beams[b]);
       failures += sharePin(pins, pinsBefore) ? 1 : 0;
@@ -246,11 +245,11 @@ int PaperLayout::failuresOf(int run) const {
             return hasHoleAt(beams[a], index) && hasHoleAt(beams[b], index);
           });
       const bool apart = !fits(run, beams[a].start, beams[b].last() - beams[a].start + 1);
-      if (atJunction || apart || (a + 1 == b && !pins.empty())) {
+      if (atJunction || apart || (a + 1 == b && pins.count > 0)) {
         join(a, b);
       }
     }
-    pinsBefore = std::move(pins);
+    pinsBefore = pins;
   }
   for (std::size_t b = 0; b < beams.size(); ++b) {
     failures +=

@@ -42,7 +42,7 @@ RunCoverer::RunCoverer(const layout::LayoutProblem& problem,
     : problem_(&problem), lengths_(std::move(lengths)), costs_(costs) {}
 
 std::size_t RunCoverer::beamIndex(int start, std::size_t length, int layer) const {
-  return (at(start + 1) * lengths_.size() + length) * at(kLayerCount) + at(layer + kMaxLayer);
+  return (at(layer + reach_) * at(edges_ + 2) + at(start + 1)) * lengths_.size() + length;
 }
 
 int RunCoverer::stateOf(int last, int layer) const {
@@ -97,6 +97,18 @@ void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis ax
   }
 }
 
+//! What any beam from `firstEnd` or later that starts by `lastStart` would cost more.
+void RunCoverer::addToBeams(int layer, int firstEnd, int lastStart, double cost) {
+  for (int start = -1; start <= std::min(lastStart, edges_); ++start) {
+    double* costs = beamCost_.data() + beamIndex(start, 0, layer);
+    for (std::size_t n = 0; n < lengths_.size() && start + lengths_[n] - 1 <= edges_ + 1; ++n) {
+      if (start + lengths_[n] - 1 >= firstEnd) {
+        costs[n] += cost;
+      }
+    }
+  }
+}
+
 void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
   const guide::GuidingGraph& graph = problem_->graph;
   const guide::GuideRun& guideRun = graph.runs[at(run)];
@@ -104,6 +116,7 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
   const int high = edges_ + 1;
   for (const int other : guideRun.near) {
     const Cover& cover = layout.run(other).cover;
+    const double weight = 0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
     for (const Beam& beam : cover.beams) {
       const layout::Stadium theirs =
           layout::stadiumOf(graph, graph.runs[at(other)], cover.axis, beam);
@@ -118,42 +131,61 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
         // Where beads of the run touch the other beam is an interval: find the first end and the
         // last start that still touch it.
         int firstEnd = low;
-        int below = high;
-        while (firstEnd < below) {
+        for (int below = high; firstEnd < below;) {
           const int middle = firstEnd + (below - firstEnd) / 2;
-          (hits(low, middle) ? below : firstEnd) = hits(low, middle) ? middle : middle + 1;
+          const bool touched = hits(low, middle);
+          below = touched ? middle : below;
+          firstEnd = touched ? firstEnd : middle + 1;
         }
         int lastStart = high;
-        int above = low;
-        while (above < lastStart) {
+        for (int above = low; above < lastStart;) {
           const int middle = lastStart - (lastStart - above) / 2;
-          (hits(middle, high) ? above : lastStart) = hits(middle, high) ? middle : middle - 1;
+          const bool touched = hits(middle, high);
+          above = touched ? middle : above;
+          lastStart = touched ? lastStart : middle - 1;
         }
-        const double weight = 0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
-        for (int start = low; start <= std::min(lastStart, edges_); ++start) {
-          for (std::size_t n = 0; n < lengths_.size(); ++n) {
-            if (start + lengths_[n] - 1 >= firstEnd && start + lengths_[n] - 1 <= high) {
-              beamCost_[beamIndex(start, n, layer)] += costs_.violation * weight;
-            }
-          }
-        }
+        addToBeams(layer, firstEnd, lastStart, costs_.violation * weight);
       }
     }
   }
 }
 
-void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) {
+//! By node index + 1: how many nodes before it a beam on this layer may not be at.
+void RunCoverer::countForbidden(int run, Axis axis, int layer) {
   const guide::GuidingGraph& graph = problem_->graph;
-  const guide::GuideRun& guideRun = graph.runs[at(run)];
-  const bool restricted = graph.ground.has_value() || !graph.keepOut.empty();
+  forbidden_.assign(at(edges_ + 4), 0);
+  if (!graph.ground.has_value() && graph.keepOut.empty()) {
+    return;
+  }
+  for (int i = -1; i <= edges_ + 1; ++i) {
+    const bool bad = layout::forbiddenAt(
+        graph, layout::holePosition(graph, graph.runs[at(run)], axis, i, layer));
+    forbidden_[at(i + 2)] = forbidden_[at(i + 1)] + (bad ? 1 : 0);
+  }
+}
+
+//! What a beam of each length costs on a layer, wherever it lies.
+void RunCoverer::setPlainCosts(int layer) {
+  plainCosts_.resize(lengths_.size());
+  for (std::size_t n = 0; n < lengths_.size(); ++n) {
+    plainCosts_[n] = costs_.beam * static_cast<double>(layout::partsOfBeam(lengths_[n])) +
+                     costs_.hole * static_cast<double>(lengths_[n]) +
+                     costs_.layer * static_cast<double>(layer < 0 ? -layer : layer) +
+                     costs_.layerHole * static_cast<double>(lengths_[n] * layer * layer);
+  }
+}
+
+void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) {
+  nodeCosts_.assign(at(edges_ + 3), 0.0);
   for (int layer = -reach_; layer <= reach_; ++layer) {
-    std::vector<int> forbidden(at(edges_ + 4), 0);
-    for (int i = -1; i <= edges_ + 1 && restricted; ++i) {
-      const bool bad =
-          layout::forbiddenAt(graph, layout::holePosition(graph, guideRun, axis, i, layer));
-      forbidden[at(i + 2)] = forbidden[at(i + 1)] + (bad ? 1 : 0);
+    countForbidden(run, axis, layer);
+    setPlainCosts(layer);
+    for (int node = -1; node <= edges_ + 1; ++node) {
+      const int place = junctionPlaces_[at(node + 1)];
+      nodeCosts_[at(node + 1)] = place < 0 ? 0.0 : stackCost(at(place), bit(layer));
     }
     for (int start = -1; start <= edges_; ++start) {
+      double* costs = beamCost_.data() + beamIndex(start, 0, layer);
       double nodeCosts = 0.0;
       int node = start;
       for (std::size_t n = 0; n < lengths_.size(); ++n) {
@@ -162,22 +194,15 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
           break;
         }
         for (; node <= last; ++node) {
-          const int place = junctionPlaces_[at(node + 1)];
-          nodeCosts += place < 0 ? 0.0 : stackCost(at(place), bit(layer));
+          nodeCosts += nodeCosts_[at(node + 1)];
         }
-        double cost = costs_.beam * static_cast<double>(layout::partsOfBeam(lengths_[n])) +
-                      costs_.hole * static_cast<double>(lengths_[n]) +
-                      costs_.layer * static_cast<double>(layer < 0 ? -layer : layer) +
-                      costs_.layerHole * static_cast<double>(lengths_[n] * layer * layer) +
-                      nodeCosts + noise * rng->unit();
+        double cost = plainCosts_[n] + nodeCosts + noise * rng->unit();
         cost += lengthCosts_.empty() ? 0.0 : lengthCosts_[n];
         cost += start < 0 ? costs_.overhang : 0.0;
         cost += last > edges_ ? costs_.overhang : 0.0;
-        if (restricted) {
-          cost +=
-              kForbidden * static_cast<double>(forbidden[at(last + 2)] - forbidden[at(start + 1)]);
-        }
-        beamCost_[beamIndex(start, n, layer)] += cost;
+        cost +=
+            kForbidden * static_cast<double>(forbidden_[at(last + 2)] - forbidden_[at(start + 1)]);
+        costs[n] += cost;
       }
     }
   }
@@ -220,7 +245,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   for (const Beam& fixed : fixed_) {
     reach_ = std::max(reach_, std::abs(fixed.layer));
   }
-  beamCost_.assign(at(edges_ + 2) * lengths_.size() * at(kLayerCount), 0.0);
+  beamCost_.assign(at(2 * reach_ + 1) * at(edges_ + 2) * lengths_.size(), 0.0);
   value_.assign(at((edges_ + 3) * kLayerCount), kNever);
   choice_.assign(value_.size(), Choice{});
   mixed_.assign(at(edges_ + 4), 0);
@@ -236,6 +261,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
 void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
   const int previousLast = state < 0 ? start - 1 : state / kLayerCount - 1;
   const double base = state < 0 ? 0.0 : value_[at(state)];
+  const int furthest = exact_ ? edges_ : edges_ + 1;
   for (int layer = -reach_; layer <= reach_; ++layer) {
     double joint = 0.0;
     if (state >= 0 && overlapFrom <= previousLast) {
@@ -252,19 +278,17 @@ void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
         }
       }
     }
+    const double* costs = beamCost_.data() + beamIndex(start, 0, layer);
     for (std::size_t n = 0; n < lengths_.size(); ++n) {
       const int last = start + lengths_[n] - 1;
-      if (last > edges_ + 1 || (last > edges_ && exact_)) {
+      if (last > furthest) {
         break;
       }
-      if (last <= previousLast) {
-        continue;
-      }
-      const int next = stateOf(last, layer);
-      const double value = base + joint + beamCost_[beamIndex(start, n, layer)];
-      if (value < value_[at(next)]) {
-        value_[at(next)] = value;
-        choice_[at(next)] = {state, start};
+      const std::size_t next = at(stateOf(last, layer));
+      const double value = base + joint + costs[n];
+      if (last > previousLast && value < value_[next]) {
+        value_[next] = value;
+        choice_[next] = {state, start};
       }
     }
   }

@@ -65,6 +65,9 @@ class RunCoverer {
   void prepare(const layout::Layout& layout, int run, lattice::Axis axis);
   void addBlockers(const layout::Layout& layout, int run, lattice::Axis axis);
   void addJunctionCosts(const layout::Layout& layout, int run, lattice::Axis axis);
+  void addToBeams(int layer, int firstEnd, int lastStart, double cost);
+  void countForbidden(int run, lattice::Axis axis, int layer);
+  void setPlainCosts(int layer);
   void addBeamCosts(int run, lattice::Axis axis, double noise, base::Rng* rng);
   void favourFixed();
   [[nodiscard]] bool markFixed(layout::Cover* cover) const;
@@ -89,8 +92,11 @@ class RunCoverer {
   int reach_ = guide::kMaxLayer;
   int edges_ = 0;
   bool exact_ = false;
-  std::vector<double> beamCost_;  // by start, length, layer
-  std::vector<double> value_;     // by state
+  std::vector<double> beamCost_;    // by layer, start, length
+  std::vector<double> nodeCosts_;   // by node index + 1, on one layer
+  std::vector<double> plainCosts_;  // by length, on one layer
+  std::vector<int> forbidden_;
+  std::vector<double> value_;  // by state
   std::vector<Choice> choice_;
   std::vector<std::uint8_t> mixed_;    // by node index + 1: mechanisms may bridge an edge here
   std::vector<int> junctionPlaces_;    // by node index + 1: place in the lists below, or -1

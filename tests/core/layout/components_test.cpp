@@ -60,17 +60,21 @@ TEST(Components, RangeOfNothingIsZero) {
 
 TEST(InlinePins, TakeTheFirstAndTheLastSharedHole) {
   const guide::GuidingGraph graph = graphOf(testing::lineSketch(12));
-  EXPECT_EQ(inlinePins(graph.runs.front(), {0, 9, 0}, {5, 8, 1}), (std::vector<int>{5, 8}));
+  const InlinePins pins = inlinePins(graph.runs.front(), {0, 9, 0}, {5, 8, 1});
+  EXPECT_EQ(std::vector<int>(pins.begin(), pins.end()), (std::vector<int>{5, 8}));
+  EXPECT_TRUE(pins.has(5));
+  EXPECT_FALSE(pins.has(6));
+  EXPECT_TRUE(pins.has(8));
 }
 
 TEST(InlinePins, LeaveJunctionsToTheirGroup) {
   const guide::GuidingGraph graph = graphOf(testing::teeSketch());
-  EXPECT_TRUE(inlinePins(graph.runs.front(), {0, 5, 0}, {4, 5, 1}).empty());
+  EXPECT_EQ(inlinePins(graph.runs.front(), {0, 5, 0}, {4, 5, 1}).count, 0);
 }
 
 TEST(InlinePins, NeedNeighbouringLayers) {
   const guide::GuidingGraph graph = graphOf(testing::lineSketch(12));
-  EXPECT_TRUE(inlinePins(graph.runs.front(), {0, 9, -1}, {5, 8, 1}).empty());
+  EXPECT_EQ(inlinePins(graph.runs.front(), {0, 9, -1}, {5, 8, 1}).count, 0);
 }
 
 TEST(Beam, OfFourOrSixHolesIsTwoParts) {
