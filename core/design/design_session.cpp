@@ -1,5 +1,7 @@
 #include "design/design_session.h"
 
+#include <optional>
+
 #include <nlohmann/json.hpp>
 
 #include "design/looseness.h"
@@ -89,8 +91,17 @@ class Session final : public DesignSession {
     return buildModel(problem_, table_, search_->best(), sketch_.name, sketchText);
   }
 
-  //! What each weighted term of the objective adds for the best layout.
-  [[nodiscard]] json termsJson() const {
+  //! What each weighted term of the objective adds for the best layout: measured when there is a
+  //! new one, since a page asks often.
+  [[nodiscard]] const json& termsJson() const {
+    if (!terms_ || termsAt_ != search_->improvements()) {
+      termsAt_ = search_->improvements();
+      terms_ = measureTerms();
+    }
+    return *terms_;
+  }
+
+  [[nodiscard]] json measureTerms() const {
     const objective::Measures measures = measuresOf(problem_, table_, search_->best());
     const objective::Weights& weights = settings_.annealing.weights;
     json terms = json::object();
@@ -109,6 +120,8 @@ class Session final : public DesignSession {
   layout::ConnectionSolver solver_;
   layout::LayoutProblem problem_;
   std::unique_ptr<search::LayoutSearch> search_;
+  mutable std::optional<json> terms_;  // of the best layout ...
+  mutable std::uint32_t termsAt_ = 0;  // ... after so many improvements
 };
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/det_math.h"
-#include "guide/beam_bound.h"
 
 namespace liftarm::guide {
 
@@ -11,7 +10,6 @@ namespace {
 
 using lattice::Axis;
 
-constexpr double kBeamWeight = 0.5;
 constexpr int kMaxSweeps = 30;
 constexpr double kSame = 1e-9;
 // The paper's 2000 to 0.01 is a random walk nearly all the way: costs differ by about one (FINDINGS
@@ -32,43 +30,11 @@ int axesAt(const Junction& junction, const Orientation& orientation) {
   return static_cast<int>((seen & 1U) + (seen >> 1U & 1U) + (seen >> 2U & 1U));
 }
 
-bool fitsOneBeam(int edges) {
-  return edges == 1 || (edges % 2 == 0 && edges <= kLongestBeam);
-}
-
-//! Beams of a run under this orientation; one more when a single beam would have to stick out.
-double beamsOf(const GuidingGraph& graph, int runId) {
-  const GuideRun& run = graph.runs[at(runId)];
-  std::vector<bool> bridged(run.nodes.size(), false);
-  for (std::size_t j = 0; j < run.junctions.size(); ++j) {
-    const Junction& junction = graph.junctions[at(run.junctions[j])];
-    bridged[at(run.junctionIndices[j])] = mayBridge(run, junction);
-  }
-  const int fewest = fewestBeams(run, bridged);
-  if (fewest > 1) {
-    return static_cast<double>(fewest);
-  }
-  const int edges = run.edgeCount();
-  const int skips = (bridged.front() ? 1 : 0) + (bridged.back() ? 1 : 0);
-  bool fits = false;
-  for (int s = 0; s <= skips; ++s) {
-    fits = fits || fitsOneBeam(edges - s);
-  }
-  return fits ? 1.0 : 1.5;
-}
-
-//! Cost of all that depends on one run's axis: its junctions, and the beams of the runs that meet
-//! there.
+//! Cost of all that depends on one run's axis: that of its junctions.
 double costAround(const GuidingGraph& graph, const Orientation& orientation, int runId) {
-  double cost = kBeamWeight * beamsOf(graph, runId);
+  double cost = 0.0;
   for (const int j : graph.runs[at(runId)].junctions) {
-    const Junction& junction = graph.junctions[at(j)];
-    cost += static_cast<double>(axesAt(junction, orientation) - 1);
-    for (const Incidence& incidence : junction.incident) {
-      if (incidence.run != runId) {
-        cost += kBeamWeight * beamsOf(graph, incidence.run);
-      }
-    }
+    cost += static_cast<double>(axesAt(graph.junctions[at(j)], orientation) - 1);
   }
   return cost;
 }
@@ -122,9 +88,6 @@ double orientationCost(const GuidingGraph& graph, const Orientation& orientation
   double cost = 0.0;
   for (const Junction& junction : graph.junctions) {
     cost += static_cast<double>(axesAt(junction, orientation) - 1);
-  }
-  for (std::size_t r = 0; r < graph.runs.size(); ++r) {
-    cost += kBeamWeight * beamsOf(graph, static_cast<int>(r));
   }
   return cost;
 }

@@ -106,6 +106,9 @@ bool standsOn(const Scene& scene, const std::vector<int>& parts, Vec3 up, double
     moment = moment +
              part.mass * scene.model->parts[i].pose.apply(0.5 * (part.boundsMin + part.boundsMax));
     for (const analysis::Shape& shape : scene.parts[i].shapes) {
+      if (lattice::dot(furthest(shape.prism, -up), up) >= floor + lean) {
+        continue;  // none of its points is lower
+      }
       for (const Point way : kWays) {
         const Vec3 p = furthest(shape.prism, kTilt * way.x * u + kTilt * way.y * v - up);
         if (lattice::dot(p, up) < floor + lean) {

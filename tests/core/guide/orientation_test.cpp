@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/helpers/sketches.h"
-#include "guide/beam_bound.h"
 
 namespace liftarm::guide {
 namespace {
@@ -48,7 +47,7 @@ TEST(Orientation, PlanarFrameGetsOneAxisEverywhere) {
 }
 
 TEST(Orientation, CubeReachesTheLowestCost) {
-  // Three axes meet at each corner, so two differ there at least once: 8 changes, and 12 beams.
+  // Three axes meet at each corner, so two differ there at least once: 8 changes.
   const GuidingGraph graph = graphOf(testing::cubeSketch(8));
   EXPECT_DOUBLE_EQ(orientationCost(graph, estimate(graph)), bestByBruteForce(graph));
 }
