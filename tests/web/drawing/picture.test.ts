@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Vec3 } from '../../../web/src/model/vec.ts';
+import type { Vec3 } from '../../../web/src/geometry/vec.ts';
 import { drawDepth } from '../../../web/src/view/drawing/depth-buffer.ts';
 import {
   cameraFor,

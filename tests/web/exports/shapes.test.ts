@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Model } from '../../../web/src/model/model.ts';
-import { IDENTITY } from '../../../web/src/model/vec.ts';
+import { IDENTITY } from '../../../web/src/geometry/vec.ts';
 import { embedHtml, linkTo, pageFolder } from '../../../web/src/ui/share/page-link.ts';
 import { MAX_QR_BYTES, qrPath } from '../../../web/src/ui/share/qr-code.tsx';
 import { MeshShelf } from '../../../web/src/view/drawing/drawn-part.ts';

@@ -1,5 +1,5 @@
+import type { Vec3 } from '../../../web/src/geometry/vec.ts';
 import { sketchNodes } from '../../../web/src/model/sketch.ts';
-import type { Vec3 } from '../../../web/src/model/vec.ts';
 import type { SketchStore } from '../../../web/src/state/store.ts';
 import type { PointerInput, ToolView } from '../../../web/src/tools/tool.ts';
 import type { ScreenPoint } from '../../../web/src/view/view-types.ts';

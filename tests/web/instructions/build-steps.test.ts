@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { IDENTITY, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import { type AssemblyPlan, readPlan } from '../../../web/src/instructions/assembly-plan.ts';
 import { buildSteps, replayFaults, timesOf } from '../../../web/src/instructions/build-steps.ts';
 import { filmOffsets, flightOffset } from '../../../web/src/instructions/flight.ts';
-import { IDENTITY, type Vec3 } from '../../../web/src/model/vec.ts';
 
 const MODEL = {
   name: '',

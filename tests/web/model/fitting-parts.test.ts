@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
+import { IDENTITY, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import { unfitParts } from '../../../web/src/model/fitting-parts.ts';
 import type { PlacedPart } from '../../../web/src/model/model.ts';
 import { emptySketch, type SketchLine } from '../../../web/src/model/sketch.ts';
-import { IDENTITY, type Vec3 } from '../../../web/src/model/vec.ts';
 
 const partAt = (position: Vec3): PlacedPart => ({
   part: '32524',

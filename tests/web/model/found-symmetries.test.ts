@@ -1,7 +1,7 @@
 import { beforeAll, expect, test } from 'vitest';
+import type { Vec3 } from '../../../web/src/geometry/vec.ts';
 import { isSameSymmetry, readFoundSymmetries } from '../../../web/src/model/found-symmetries.ts';
 import type { SketchDocument, SketchLine } from '../../../web/src/model/sketch.ts';
-import type { Vec3 } from '../../../web/src/model/vec.ts';
 import type { SolverModule } from '../../../web/src/solver/solver-module.ts';
 import { loadModule } from '../../contract/module.ts';
 

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { IDENTITY, type Mat3, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import { modelBounds, sketchBounds, unionBounds } from '../../../web/src/model/bounds.ts';
 import { readCatalogue } from '../../../web/src/model/catalogue.ts';
 import {
@@ -12,7 +13,6 @@ import {
 import { countClasses, countParts, modelMass } from '../../../web/src/model/counts.ts';
 import type { Model, PlacedPart } from '../../../web/src/model/model.ts';
 import { emptySketch, lineNodes, sketchNodes } from '../../../web/src/model/sketch.ts';
-import { IDENTITY, type Mat3, type Vec3 } from '../../../web/src/model/vec.ts';
 import { catalogue } from '../view/helpers/catalogue.ts';
 
 const QUARTER_TURN_ABOUT_Z: Mat3 = [0, -1, 0, 1, 0, 0, 0, 0, 1];

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
+import { rotate } from '../../../web/src/geometry/vec.ts';
 import { groupColours, type MotionPath, posesAt } from '../../../web/src/model/motion.ts';
-import { rotate } from '../../../web/src/model/vec.ts';
 
 const HALF = Math.SQRT1_2;
 

@@ -1,7 +1,7 @@
 import { InstancedMesh, LineSegments, type Object3D } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
+import { IDENTITY, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import type { Model, PlacedPart } from '../../../web/src/model/model.ts';
-import { IDENTITY, type Vec3 } from '../../../web/src/model/vec.ts';
 import { BrickLibrary } from '../../../web/src/view/bricks/brick-library.ts';
 import { BrickMaterials } from '../../../web/src/view/bricks/brick-materials.ts';
 import { chooseDetail, TRIANGLE_BUDGET } from '../../../web/src/view/level-of-detail.ts';

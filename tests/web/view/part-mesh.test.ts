@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { add, cross, normalize, scale, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import { isHole } from '../../../web/src/model/catalogue.ts';
-import { add, cross, normalize, scale, type Vec3 } from '../../../web/src/model/vec.ts';
 import { DETAILS, type DetailName } from '../../../web/src/view/bricks/detail.ts';
 import type { BrickMesh } from '../../../web/src/view/bricks/mesh-builder.ts';
 import { buildPartMesh } from '../../../web/src/view/bricks/part-mesh.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { IDENTITY, ORIGIN, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import type { PlacedPart } from '../../../web/src/model/model.ts';
 import { sketchNodes } from '../../../web/src/model/sketch.ts';
-import { IDENTITY, ORIGIN, type Vec3 } from '../../../web/src/model/vec.ts';
 import { BrickLibrary } from '../../../web/src/view/bricks/brick-library.ts';
 import { pickPart, rayEntersBox } from '../../../web/src/view/part-picking.ts';
 import { pickLine, pickNode } from '../../../web/src/view/sketch-picking.ts';

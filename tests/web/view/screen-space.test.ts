@@ -1,6 +1,6 @@
 import { OrthographicCamera, PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
-import { add, scale, type Vec3 } from '../../../web/src/model/vec.ts';
+import { add, scale, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import { ScreenSpace } from '../../../web/src/view/scene/screen-space.ts';
 
 const canvas = { clientWidth: 800, clientHeight: 600 } as HTMLCanvasElement;

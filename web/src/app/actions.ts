@@ -1,5 +1,5 @@
+import type { AxisName } from '../geometry/vec.ts';
 import type { SketchDocument, SketchLine } from '../model/sketch.ts';
-import type { AxisName } from '../model/vec.ts';
 import type { ToolId } from '../tools/tool.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';

@@ -1,4 +1,5 @@
 import { effect, signal } from '@preact/signals';
+import { type AxisName, axisIndex, type Vec3 } from '../geometry/vec.ts';
 import { modelBounds } from '../model/bounds.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import {
@@ -7,7 +8,6 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SharedState } from '../share/codec.ts';
 import { linkedPreferences } from '../share/shared-state.ts';
 import type { SolverClient } from '../solver/client.ts';
@@ -263,8 +263,9 @@ export class PageController implements Actions {
   readonly cutAlong = (axis: AxisName | null): void => {
     const { section, shown, catalogue } = this.state;
     const box = axis && shown.value ? modelBounds(shown.value.model, catalogue) : null;
-    const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
-    section.value = axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
+    const k = axis && axisIndex(axis);
+    section.value =
+      k !== null && axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
   };
 
   readonly moveCamera = ({ factor, right, up }: CameraMove): void => {

@@ -1,11 +1,11 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
+import type { Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import { colourHex, colourName } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
-import type { Vec3 } from '../model/vec.ts';
 import type { Preferences } from '../state/preferences.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';

@@ -1,6 +1,6 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { Mat3, Vec3 } from '../geometry/vec.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
-import type { Mat3, Vec3 } from '../model/vec.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { text } from '../ui/text.ts';
 

@@ -1,4 +1,4 @@
-import { between, distance, dot, length, type Segment, subtract, type Vec3 } from './vec.ts';
+import { distance, dot, length, lerp, type Segment, subtract, type Vec3 } from './vec.ts';
 
 /** A place where lines meet. */
 export interface Meeting {
@@ -97,7 +97,7 @@ function sharedNodes(lines: readonly Segment[]): Meeting[] {
   lines.forEach((line, index) => {
     const count = nodeCount(line);
     for (let i = 0; i < count; i++) {
-      const place = places.at(between(line, i / (count - 1)));
+      const place = places.at(lerp(line.from, line.to, i / (count - 1)));
       place.ends += i === 0 || i === count - 1 ? 1 : 0;
       if (place.lines.at(-1) !== index) {
         place.lines.push(index);
@@ -156,7 +156,7 @@ function cellsAlong(line: Segment): Set<number> {
   const keys = new Set<number>();
   const count = nodeCount(line);
   for (let i = 0; i < count; i++) {
-    const at = between(line, i / (count - 1));
+    const at = lerp(line.from, line.to, i / (count - 1));
     for (let corner = 0; corner < 8; corner++) {
       const cell = at.map((value, k) =>
         Math.floor((value + ((corner >> k) & 1 ? 0.6 : -0.6)) / CELL),
@@ -184,6 +184,6 @@ function crossingOf(a: Segment, b: Segment): Vec3 | null {
   const slackA = SAME_POINT / Math.sqrt(uu);
   const slackB = SAME_POINT / Math.sqrt(vv);
   const inside = s >= -slackA && s <= 1 + slackA && t >= -slackB && t <= 1 + slackB;
-  const onA = between(a, s);
-  return inside && distance(onA, between(b, t)) <= SAME_POINT ? onA : null;
+  const onA = lerp(a.from, a.to, s);
+  return inside && distance(onA, lerp(b.from, b.to, t)) <= SAME_POINT ? onA : null;
 }

@@ -1,8 +1,8 @@
-import { type Axis, axisIndex, dot, subtract, unitVector, type Vec3 } from './vec.ts';
+import { type AxisName, axisIndex, dot, subtract, unitVector, type Vec3 } from './vec.ts';
 
 /** A plane across a principal axis. */
 export interface Plane {
-  readonly normal: Axis;
+  readonly normal: AxisName;
   readonly through: Vec3;
 }
 
@@ -16,7 +16,7 @@ export interface Ray {
 const GRAZING = 1e-4;
 
 /** The two axes along the plane, in the order x, y, z. */
-export function axesOf(plane: Plane): readonly [Axis, Axis] {
+export function axesOf(plane: Plane): readonly [AxisName, AxisName] {
   if (plane.normal === 'x') {
     return ['y', 'z'];
   }
@@ -55,7 +55,7 @@ export function projectToPlane(point: Vec3, plane: Plane): Vec3 {
  * How many modules from `start` along an axis the axis comes nearest to a ray, or null when the two
  * are almost parallel.
  */
-export function nearestAlongAxis(ray: Ray, start: Vec3, axis: Axis): number | null {
+export function nearestAlongAxis(ray: Ray, start: Vec3, axis: AxisName): number | null {
   const along = unitVector(axis);
   const offset = subtract(start, ray.origin);
   const cosine = dot(along, ray.direction);

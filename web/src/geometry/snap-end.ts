@@ -5,14 +5,15 @@ import {
   sixtyDirections,
   walk,
 } from './directions.ts';
+import { isPlanar, WHOLE, wholeLength } from './legal-line.ts';
 import { type Plane, projectToPlane } from './plane.ts';
 import {
-  type Axis,
+  type AxisName,
   axisIndex,
-  between,
   distance,
   dot,
   length,
+  lerp,
   type Segment,
   scale,
   subtract,
@@ -38,7 +39,7 @@ export interface SnapContext {
   /** The lines drawn so far. */
   readonly lines: readonly Segment[];
   /** Only ends along this axis, or null. */
-  readonly lockAxis: Axis | null;
+  readonly lockAxis: AxisName | null;
   /** Where the pointer is, on or near the plane. */
   readonly cursor: Vec3;
   /** How far, in modules, the pointer may be from what it is drawn to. */
@@ -51,9 +52,6 @@ export interface Snap {
   /** Whole, at least 1; 0 for a first point. */
   readonly length: number;
 }
-
-/** Lines as long as this close to a whole number are whole: rounded drawings, before they are read. */
-const WHOLE = 1e-3;
 
 /** The share of its distance that counts: a strong reason wins over a nearer weak one. */
 const PULL: Readonly<Record<SnapReason, number>> = {
@@ -134,7 +132,7 @@ function nodesNear(context: SnapContext): { at: Vec3; reason: 'endpoint' | 'node
     const share = size > 0 ? dot(subtract(cursor, line.from), span) / (size * size) : 0;
     const index = Math.min(edges, Math.max(0, Math.round(share * edges)));
     const isEnd = index === 0 || index === edges;
-    const at = index === 0 ? line.from : isEnd ? line.to : between(line, index / edges);
+    const at = index === 0 ? line.from : isEnd ? line.to : lerp(line.from, line.to, index / edges);
     return distance(at, cursor) <= tolerance
       ? [{ at, reason: isEnd ? ('endpoint' as const) : ('node' as const) }]
       : [];
@@ -146,19 +144,15 @@ function nodeEnds(context: Started): Candidate[] {
   const { start, cursor, lockAxis } = context;
   return nodesNear(context).flatMap(({ at, reason }) => {
     const span = subtract(at, start);
-    const whole = Math.round(length(span));
+    const whole = wholeLength(span);
     const along = lockAxis === null || isAlong(span, lockAxis);
-    const legal = whole >= 1 && Math.abs(length(span) - whole) <= WHOLE && isPlanar(span) && along;
-    return legal ? [{ point: at, reason, length: whole, target: cursor }] : [];
+    return whole !== null && isPlanar(span) && along
+      ? [{ point: at, reason, length: whole, target: cursor }]
+      : [];
   });
 }
 
-/** True when a line with this span lies in a plane parallel to XY, YZ or ZX. */
-function isPlanar(span: Vec3): boolean {
-  return span.some((value) => Math.abs(value) <= WHOLE);
-}
-
-function isAlong(span: Vec3, axis: Axis): boolean {
+function isAlong(span: Vec3, axis: AxisName): boolean {
   return span.every((value, k) => k === axisIndex(axis) || Math.abs(value) <= WHOLE);
 }
 
@@ -167,7 +161,7 @@ interface Way {
   readonly direction: Direction;
 }
 
-function bothWays(axis: Axis): Way[] {
+function bothWays(axis: AxisName): Way[] {
   const along = unitVector(axis);
   return [along, scale(along, -1)].map((unit) => ({
     reason: 'axis',

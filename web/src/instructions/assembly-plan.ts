@@ -1,5 +1,5 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
-import type { Vec3 } from '../model/vec.ts';
+import type { Vec3 } from '../geometry/vec.ts';
 
 /** Parts that are put in place together; mirrors planAssemblyJson in core/design/design_session.h. */
 export interface Addition {

@@ -1,6 +1,6 @@
+import { dot, length, normalize } from '../geometry/vec.ts';
 import { countParts, type PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
-import { dot, length, normalize } from '../model/vec.ts';
 import type { Addition, AssemblyGroup, AssemblyPlan, AssemblyStep } from './assembly-plan.ts';
 
 /** One page of the instructions. */

@@ -1,4 +1,4 @@
-import { add, length, scale, subtract, type Vec3 } from '../model/vec.ts';
+import { add, length, scale, subtract, type Vec3 } from '../geometry/vec.ts';
 import type { Addition } from './assembly-plan.ts';
 
 /** How far a part is from its place at a moment of its flight. @param t 0 (start) to 1 (in place). */

@@ -1,7 +1,7 @@
+import { add, rotate, type Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from './catalogue.ts';
 import type { Model } from './model.ts';
 import type { SketchDocument } from './sketch.ts';
-import { add, rotate, type Vec3 } from './vec.ts';
 
 /** An axis-aligned box in modules; min <= max in each coordinate. */
 export interface Bounds {

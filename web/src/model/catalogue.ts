@@ -1,4 +1,4 @@
-import type { Vec3 } from './vec.ts';
+import type { Vec3 } from '../geometry/vec.ts';
 
 /** Mirrors parts::PartClass in core/parts/catalogue.h. */
 export type PartClass = 'beam' | 'pin' | 'axle' | 'connector' | 'bush' | 'gear';

@@ -1,6 +1,6 @@
+import { distance, lerp, type Vec3 } from '../geometry/vec.ts';
 import type { PlacedPart } from './model.ts';
 import { lineNodes, pointKey, type SketchDocument } from './sketch.ts';
-import { distance, lerp, type Vec3 } from './vec.ts';
 
 /** More pairs of parts and edges than this are not compared while somebody draws. */
 const MOST_PAIRS = 400_000;

@@ -1,5 +1,5 @@
+import type { Vec3 } from '../geometry/vec.ts';
 import type { SketchSymmetry } from './sketch.ts';
-import type { Vec3 } from './vec.ts';
 
 /** A turn that brings a sketch onto itself. A sketch file has no name for it: it is only said. */
 export interface RotationSymmetry {

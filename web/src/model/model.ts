@@ -1,5 +1,5 @@
+import type { Mat3, Vec3 } from '../geometry/vec.ts';
 import type { SketchDocument } from './sketch.ts';
-import type { Mat3, Vec3 } from './vec.ts';
 
 /** One real part in its place; mirrors core/model/model.h. */
 export interface PlacedPart {

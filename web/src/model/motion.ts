@@ -1,4 +1,4 @@
-import type { Mat3, Vec3 } from './vec.ts';
+import type { Mat3, Vec3 } from '../geometry/vec.ts';
 
 /** How a model stands and moves; mirrors analyseMotionJson in core/design/design_session.h. */
 export interface MotionAnswer {

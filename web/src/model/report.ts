@@ -1,4 +1,4 @@
-import type { Vec3 } from './vec.ts';
+import type { Vec3 } from '../geometry/vec.ts';
 
 /** One thing that is wrong, and where. */
 export interface Problem {

@@ -1,4 +1,4 @@
-import { type AxisName, distance, lerp, subtract, type Vec3 } from './vec.ts';
+import { type AxisName, distance, lerp, subtract, type Vec3 } from '../geometry/vec.ts';
 
 /** One straight line of whole length, as the sketch format (DESIGN 3) writes it. */
 export interface SketchLine {

@@ -1,5 +1,5 @@
+import type { Vec3 } from '../geometry/vec.ts';
 import { mixHex } from './colours.ts';
-import type { Vec3 } from './vec.ts';
 
 /** What of the fits friction is taken to hold (core/analysis/frame_model.h). */
 export type FitHold = 'free' | 'held' | 'locked';

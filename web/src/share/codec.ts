@@ -1,4 +1,5 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import type {
   KeepOutBox,
   SketchDocument,
@@ -6,7 +7,6 @@ import type {
   SketchLine,
   SketchSymmetry,
 } from '../model/sketch.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
 export interface SharedState {

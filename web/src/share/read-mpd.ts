@@ -1,6 +1,6 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { Mat3, Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
-import type { Mat3, Vec3 } from '../model/vec.ts';
 
 const LDU_PER_MODULE = 20;
 const MAX_PARTS = 200_000;

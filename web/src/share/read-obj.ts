@@ -1,6 +1,6 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import { distance, type Vec3 } from '../geometry/vec.ts';
 import type { SketchDocument, SketchLine } from '../model/sketch.ts';
-import { distance, type Vec3 } from '../model/vec.ts';
 
 /** An .obj file of this many records is no sketch. */
 const MAX_RECORDS = 200_000;

@@ -1,5 +1,5 @@
+import { cross, distance, length, normalize, subtract, type Vec3 } from '../geometry/vec.ts';
 import { pointKey, type SketchDocument, type SketchLine, sketchNodes } from '../model/sketch.ts';
-import { cross, distance, length, normalize, subtract, type Vec3 } from '../model/vec.ts';
 import { removeLines, replaceLines } from './edits.ts';
 
 /** The lines that hang together with the given ones by shared nodes, these included. */

@@ -1,3 +1,4 @@
+import { type AxisName, add, type Vec3 } from '../geometry/vec.ts';
 import {
   type KeepOutBox,
   lineLength,
@@ -7,7 +8,6 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
-import { type AxisName, add, type Vec3 } from '../model/vec.ts';
 
 // Every edit is a function from a sketch to a sketch; nothing here touches a store.
 

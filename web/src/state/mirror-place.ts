@@ -1,6 +1,6 @@
+import { type AxisName, axisIndex, type Vec3 } from '../geometry/vec.ts';
 import { boundsOfPoints } from '../model/bounds.ts';
 import { pointKey, type SketchDocument, type SketchLine, sketchNodes } from '../model/sketch.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
 
 /**
  * Where a mirror across `axis` stands for some lines, as a person means it: where the lines hang on
@@ -12,7 +12,7 @@ export function mirrorPlace(
   selected: ReadonlySet<number>,
   axis: AxisName,
 ): number {
-  const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
+  const k = axisIndex(axis);
   const seams = new Set(seamsOf(sketch, selected).map((point) => round(point[k])));
   const [seam] = seams;
   if (seam !== undefined && seams.size === 1) {

@@ -1,4 +1,5 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import {
   type KeepOutBox,
   lineLength,
@@ -7,7 +8,6 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
 
 // What the page needs to trust a sketch before it draws it. The core's reader is the authority on the
 // format; this one keeps the same limits (core/sketch/sketch_json.h) so that the page cannot be hurt.

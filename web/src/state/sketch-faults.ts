@@ -1,6 +1,6 @@
 import { meetings } from '../geometry/meetings.ts';
+import { distance, normalize, scale, type Vec3 } from '../geometry/vec.ts';
 import { lineVector, type SketchDocument } from '../model/sketch.ts';
-import { distance, normalize, scale, type Vec3 } from '../model/vec.ts';
 import { lineKey, mapLines, removeLines, shift } from './edits.ts';
 
 /** Something in a sketch that no parts can make, before any search. */

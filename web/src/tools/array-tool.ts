@@ -1,4 +1,4 @@
-import { samePoint, scale, subtract, type Vec3 } from '../model/vec.ts';
+import { samePoint, scale, subtract, type Vec3 } from '../geometry/vec.ts';
 import { addLines, mapLine, shift } from '../state/edits.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { PointTool } from './point-tool.ts';

@@ -1,4 +1,4 @@
-import { type AxisName, dot, subtract, unitVector, type Vec3 } from '../model/vec.ts';
+import { type AxisName, axisIndex, dot, subtract, unitVector, type Vec3 } from '../geometry/vec.ts';
 import { addKeepOut, addLines } from '../state/edits.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { boxFrame, gridLines, hexagon, rectangle, type Segment, toLines } from './frame-lines.ts';
@@ -210,7 +210,7 @@ export class KeepOutTool extends BoxBaseTool {
 
   protected finish(a: Vec3, b: Vec3, height: number): void {
     const { store, words } = this.context;
-    const k = this.axis === 'x' ? 0 : this.axis === 'y' ? 1 : 2;
+    const k = axisIndex(this.axis);
     const top = b.map((value, i) => (i === k ? value + height : value));
     const min = (i: number) => Math.min(a[i] ?? 0, top[i] ?? 0);
     const max = (i: number) => Math.max(a[i] ?? 0, top[i] ?? 0);

@@ -1,5 +1,13 @@
+import {
+  type AxisName,
+  add,
+  axisIndex,
+  scale,
+  subtract,
+  unitVector,
+  type Vec3,
+} from '../geometry/vec.ts';
 import type { SketchLine } from '../model/sketch.ts';
-import { type AxisName, add, scale, subtract, unitVector, type Vec3 } from '../model/vec.ts';
 import { planeAxes } from './guide.ts';
 
 /** Two points as a line; the order in which figures are made of. */
@@ -72,6 +80,5 @@ function rows(a: Vec3, run: Vec3, across: Vec3, cell: number): Segment[] {
 }
 
 function along(axis: AxisName, d: Vec3): Vec3 {
-  const k = axis === 'x' ? 0 : axis === 'y' ? 1 : 2;
-  return scale(unitVector(axis), d[k]);
+  return scale(unitVector(axis), d[axisIndex(axis)]);
 }

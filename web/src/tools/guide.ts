@@ -1,5 +1,5 @@
 import { axesOf, meetPlane } from '../geometry/plane.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import type { GuidePlane, Ray } from '../view/view-types.ts';
 import type { PlaneMode } from './tool.ts';
 

@@ -1,8 +1,9 @@
-import { distance, samePoint, type Vec3 } from '../model/vec.ts';
+import { isLegalLine } from '../geometry/legal-line.ts';
+import { distance, samePoint, type Vec3 } from '../geometry/vec.ts';
 import { addLines } from '../state/edits.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { PointTool } from './point-tool.ts';
-import { isLegalLine, type Located, locateEnd, locateFree } from './snap.ts';
+import { type Located, locateEnd, locateFree } from './snap.ts';
 import { fillWords } from './tool-words.ts';
 
 /** Lines from point to point: the end of one is the beginning of the next. */

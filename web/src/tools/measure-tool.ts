@@ -1,4 +1,4 @@
-import { distance, subtract, type Vec3 } from '../model/vec.ts';
+import { distance, subtract, type Vec3 } from '../geometry/vec.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { PointTool } from './point-tool.ts';
 import { type Located, locateFree } from './snap.ts';

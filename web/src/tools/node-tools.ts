@@ -1,4 +1,5 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
+import { cross, length, normalize, type Vec3 } from '../geometry/vec.ts';
 import {
   lineVector,
   pointKey,
@@ -6,7 +7,6 @@ import {
   type SketchJoint,
   sketchNodes,
 } from '../model/sketch.ts';
-import { cross, length, normalize, type Vec3 } from '../model/vec.ts';
 import { addJoint, removeJoint, splitAt } from '../state/edits.ts';
 import type { Navigation, NodePick } from '../view/view-types.ts';
 import { describePoint } from './point-tool.ts';

@@ -1,4 +1,5 @@
 import { type ReadonlySignal, type Signal, signal } from '@preact/signals';
+import { axisOf } from '../geometry/legal-line.ts';
 import {
   type AxisName,
   add,
@@ -7,10 +8,10 @@ import {
   scale,
   unitVector,
   type Vec3,
-} from '../model/vec.ts';
+} from '../geometry/vec.ts';
 import type { GuidePlane, Navigation, ScreenPoint, SnapKind } from '../view/view-types.ts';
 import { planeAxes, planeAxis } from './guide.ts';
-import { axisOf, endAtLength, type Located } from './snap.ts';
+import { endAtLength, type Located } from './snap.ts';
 import {
   EMPTY_OVERLAY,
   type KeyInput,

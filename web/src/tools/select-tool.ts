@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
+import { add, scale, subtract, unitVector, type Vec3 } from '../geometry/vec.ts';
 import type { SketchDocument } from '../model/sketch.ts';
-import { add, scale, subtract, unitVector, type Vec3 } from '../model/vec.ts';
 import { chainedLines } from '../state/connectivity.ts';
 import { mapLines, shift } from '../state/edits.ts';
 import type { GuidePlane, Navigation, ScreenPoint } from '../view/view-types.ts';

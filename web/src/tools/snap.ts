@@ -1,6 +1,6 @@
+import { axisOf, isLegalLine } from '../geometry/legal-line.ts';
 import { nearestAlongAxis } from '../geometry/plane.ts';
 import { type SnapReason, snapEnd } from '../geometry/snap-end.ts';
-import type { SketchLine } from '../model/sketch.ts';
 import {
   AXIS_NAMES,
   type AxisName,
@@ -8,10 +8,10 @@ import {
   distance,
   lerp,
   scale,
-  subtract,
   unitVector,
   type Vec3,
-} from '../model/vec.ts';
+} from '../geometry/vec.ts';
+import type { SketchLine } from '../model/sketch.ts';
 import type { GuidePlane, ScreenPoint, SnapKind } from '../view/view-types.ts';
 import { meetGuide } from './guide.ts';
 import type { ToolView } from './tool.ts';
@@ -30,8 +30,6 @@ const NODE_PIXELS = 12;
 const OFF_PLANE_PIXELS = 7;
 /** How far from the pointer an end off the axes may be: pixels, but within these modules. */
 const REACH = { pixels: 16, least: 0.45, most: 1.2 } as const;
-/** As in the geometry: lines as long as this close to a whole number are whole. */
-const LENGTH_TOLERANCE = 1e-3;
 
 /** The view's word for the geometry's. */
 const KINDS: Readonly<Record<SnapReason, SnapKind>> = {
@@ -43,21 +41,6 @@ const KINDS: Readonly<Record<SnapReason, SnapKind>> = {
   pythagorean: 'pythagorean',
   sixty: 'sixty',
 };
-
-/** Whether a line between the points has whole length and lies in a plane that can be built. */
-export function isLegalLine(from: Vec3, to: Vec3): boolean {
-  const length = distance(from, to);
-  const whole =
-    Math.abs(length - Math.round(length)) <= LENGTH_TOLERANCE && Math.round(length) >= 1;
-  return whole && from.some((value, k) => Math.abs(value - (to[k] ?? 0)) < LENGTH_TOLERANCE);
-}
-
-/** The axis that the line runs along, or null. */
-export function axisOf(from: Vec3, to: Vec3): AxisName | null {
-  const d = subtract(to, from);
-  const along = AXIS_NAMES.filter((_, k) => Math.abs(d[k] ?? 0) > LENGTH_TOLERANCE);
-  return along.length === 1 ? (along[0] ?? null) : null;
-}
 
 /** A place for a point that no length binds: a node near the pointer, else the plane's unit grid. */
 export function locateFree(view: ToolView, at: ScreenPoint, plane: GuidePlane): Located | null {

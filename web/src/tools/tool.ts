@@ -1,5 +1,5 @@
 import type { ReadonlySignal } from '@preact/signals';
-import type { AxisName, Vec3 } from '../model/vec.ts';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import type { SketchStore } from '../state/store.ts';
 import type {
   GuidePlane,

@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
+import { AXIS_NAMES, type AxisName } from '../geometry/vec.ts';
 import { modelBounds } from '../model/bounds.ts';
-import { AXIS_NAMES, type AxisName } from '../model/vec.ts';
 import { Segmented } from './controls.tsx';
 import { Flyout } from './flyout.tsx';
 import { usePage } from './page-context.ts';

@@ -1,11 +1,11 @@
 import type { ReadonlySignal, Signal } from '@preact/signals';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { Model } from '../model/model.ts';
 import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
 import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
-import type { AxisName, Vec3 } from '../model/vec.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
 import type { Preferences } from '../state/preferences.ts';

@@ -1,5 +1,5 @@
+import type { Vec3 } from '../geometry/vec.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
-import type { Vec3 } from '../model/vec.ts';
 
 const SIZE = 120;
 const PAD = 10;

@@ -1,7 +1,7 @@
+import type { Vec3 } from '../geometry/vec.ts';
 import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
 import type { Stretch } from '../model/report.ts';
 import type { SketchSymmetry } from '../model/sketch.ts';
-import type { Vec3 } from '../model/vec.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { Section } from './controls.tsx';

@@ -8,9 +8,9 @@ import {
   LineSegments,
   Matrix4,
 } from 'three';
+import type { Vec3 } from '../geometry/vec.ts';
 import { edgeHex } from '../model/colours.ts';
 import type { PlacedPart } from '../model/model.ts';
-import type { Vec3 } from '../model/vec.ts';
 import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMaterials } from './bricks/brick-materials.ts';
 import type { DetailName } from './bricks/detail.ts';

@@ -1,7 +1,7 @@
+import type { Mat3, Vec3 } from '../geometry/vec.ts';
 import { type Catalogue, isHole } from '../model/catalogue.ts';
 import { colourHex, groupHex } from '../model/colours.ts';
 import type { PlacedPart } from '../model/model.ts';
-import type { Mat3, Vec3 } from '../model/vec.ts';
 import type { ColourScheme } from './view-types.ts';
 
 /** Hole axes along x, y, z, and askew. */

@@ -1,8 +1,8 @@
 import { Group } from 'three';
+import { add, ORIGIN, scale, subtract, type Vec3 } from '../geometry/vec.ts';
 import { type Bounds, boundsOfPoints, modelBounds, modelCorners } from '../model/bounds.ts';
 import { mixHex } from '../model/colours.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
-import { add, ORIGIN, scale, subtract, type Vec3 } from '../model/vec.ts';
 import { type BatchStyle, BrickBatch } from './brick-batch.ts';
 import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMaterials } from './bricks/brick-materials.ts';

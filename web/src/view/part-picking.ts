@@ -1,5 +1,5 @@
+import { add, dot, type Mat3, scale, subtract, type Vec3 } from '../geometry/vec.ts';
 import type { PlacedPart } from '../model/model.ts';
-import { add, dot, type Mat3, scale, subtract, type Vec3 } from '../model/vec.ts';
 import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMesh } from './bricks/mesh-builder.ts';
 import type { PartPick, Ray } from './view-types.ts';

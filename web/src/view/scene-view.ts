@@ -1,8 +1,8 @@
 import { Plane, Vector2, Vector3 } from 'three';
+import { unitVector, type Vec3 } from '../geometry/vec.ts';
 import { corners, sketchBounds, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
-import { unitVector, type Vec3 } from '../model/vec.ts';
 import { BrickLibrary } from './bricks/brick-library.ts';
 import { BrickMaterials } from './bricks/brick-materials.ts';
 import { chooseDetail } from './level-of-detail.ts';

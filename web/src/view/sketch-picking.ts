@@ -1,5 +1,5 @@
+import { lerp, type Vec3 } from '../geometry/vec.ts';
 import type { SketchLine, SketchNode } from '../model/sketch.ts';
-import { lerp, type Vec3 } from '../model/vec.ts';
 import type { LinePick, NodePick, Projected, ScreenPoint } from './view-types.ts';
 
 /** Where a point of space is on screen. */

@@ -1,6 +1,6 @@
+import type { AxisName, Mat3, Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
-import type { AxisName, Mat3, Vec3 } from '../model/vec.ts';
 
 /** Positions on screen are CSS pixels from the canvas' top left corner; positions in space modules. */
 export interface ScreenPoint {

@@ -1,5 +1,5 @@
-import type { Vec3 } from '../../../../web/src/model/vec.ts';
-import { cross, dot, subtract } from '../../../../web/src/model/vec.ts';
+import type { Vec3 } from '../../../../web/src/geometry/vec.ts';
+import { cross, dot, subtract } from '../../../../web/src/geometry/vec.ts';
 import type { BrickMesh } from '../../../../web/src/view/bricks/mesh-builder.ts';
 import { rayMeetsTriangle } from '../../../../web/src/view/part-picking.ts';
 

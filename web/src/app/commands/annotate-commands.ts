@@ -1,6 +1,6 @@
+import type { AxisName } from '../../geometry/vec.ts';
 import { sketchBounds } from '../../model/bounds.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
-import type { AxisName } from '../../model/vec.ts';
 import { setExact, setGround, setHoleAxis } from '../../state/edits.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';

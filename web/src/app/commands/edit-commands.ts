@@ -1,6 +1,6 @@
+import { type AxisName, add, scale, subtract, type Vec3 } from '../../geometry/vec.ts';
 import { boundsOfPoints } from '../../model/bounds.ts';
 import { lineLength, type SketchLine } from '../../model/sketch.ts';
-import { type AxisName, add, scale, subtract, type Vec3 } from '../../model/vec.ts';
 import { chainedLines, connectedLines, joinLines } from '../../state/connectivity.ts';
 import {
   addLines,

@@ -1,4 +1,4 @@
-import type { AxisName } from '../../model/vec.ts';
+import type { AxisName } from '../../geometry/vec.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';

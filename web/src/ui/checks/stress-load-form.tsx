@@ -1,6 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
+import { scale, type Vec3 } from '../../geometry/vec.ts';
 import type { PointLoad } from '../../model/stress.ts';
-import { scale, type Vec3 } from '../../model/vec.ts';
 import type { PointerInput } from '../../tools/tool.ts';
 import { IconButton } from '../controls.tsx';
 import type { Page } from '../page.ts';

@@ -1,7 +1,7 @@
 import { bad, good, type Outcome } from '../../base/outcome.ts';
+import type { Mat3, Vec3 } from '../../geometry/vec.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
-import type { Mat3, Vec3 } from '../../model/vec.ts';
 
 // Gears on shafts along y, added to a gallery model as fixed parts of its own: the sketch holds the
 // frame, its exact lines hold the bearings, its keep-out box holds the room.

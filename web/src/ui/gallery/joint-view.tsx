@@ -1,9 +1,9 @@
 import { useState } from 'preact/hooks';
+import type { Vec3 } from '../../geometry/vec.ts';
 import { modelCorners } from '../../model/bounds.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
 import { type MotionAnswer, posesAt } from '../../model/motion.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { JointList } from '../checks/joints.tsx';
 import { MotionStudy } from '../checks/motion-study.ts';

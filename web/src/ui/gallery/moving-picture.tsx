@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { PlacedPart } from '../../model/model.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import { StillRenderer } from '../../view/still/still-renderer.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { usePage } from '../page-context.ts';

@@ -1,7 +1,7 @@
+import type { Vec3 } from '../../geometry/vec.ts';
 import { type AssemblyPlan, readPlan } from '../../instructions/assembly-plan.ts';
 import { type BuildStep, buildSteps } from '../../instructions/build-steps.ts';
 import type { Model } from '../../model/model.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import type { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { roomSolver } from '../share/room-solver.ts';

@@ -1,6 +1,6 @@
+import { add, type Vec3 } from '../../geometry/vec.ts';
 import type { Addition } from '../../instructions/assembly-plan.ts';
 import { filmOffsets } from '../../instructions/flight.ts';
-import { add, type Vec3 } from '../../model/vec.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import { drawn } from '../../view/drawing/drawn-part.ts';
 import { StillRenderer } from '../../view/still/still-renderer.ts';

@@ -1,6 +1,6 @@
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { BuildStep } from '../../instructions/build-steps.ts';
 import type { Model } from '../../model/model.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import { drawDepth } from '../../view/drawing/depth-buffer.ts';
 import { cameraFor } from '../../view/drawing/drawing-camera.ts';
 import { type DrawnPart, drawn, type MeshShelf } from '../../view/drawing/drawn-part.ts';

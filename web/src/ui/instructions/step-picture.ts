@@ -1,8 +1,8 @@
+import { add, dot, length, normalize, scale, type Vec3 } from '../../geometry/vec.ts';
 import type { Addition } from '../../instructions/assembly-plan.ts';
 import type { BuildStep } from '../../instructions/build-steps.ts';
 import { mixHex } from '../../model/colours.ts';
 import type { Model } from '../../model/model.ts';
-import { add, dot, length, normalize, scale, type Vec3 } from '../../model/vec.ts';
 import {
   cameraFor,
   type DrawingCamera,

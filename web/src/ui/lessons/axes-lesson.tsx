@@ -1,5 +1,5 @@
 import { useState } from 'preact/hooks';
-import { AXIS_NAMES, type AxisName } from '../../model/vec.ts';
+import { AXIS_NAMES, type AxisName } from '../../geometry/vec.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { Segmented } from '../controls.tsx';
 import { lessonWords as words } from './lesson-words.ts';

@@ -1,7 +1,7 @@
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { Model } from '../../model/model.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { ExportFormat } from '../../solver/protocol.ts';
 import { writeSketch } from '../../state/read-sketch.ts';
 import { cameraFor, ISO_OUT } from '../../view/drawing/drawing-camera.ts';

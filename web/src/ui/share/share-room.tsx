@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { scale, type Vec3 } from '../../model/vec.ts';
+import { scale, type Vec3 } from '../../geometry/vec.ts';
 import { sharedState } from '../../share/shared-state.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';

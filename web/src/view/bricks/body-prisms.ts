@@ -1,4 +1,3 @@
-import { type Feature, isHole, type Part, type Prism } from '../../model/catalogue.ts';
 import {
   add,
   distance,
@@ -10,7 +9,8 @@ import {
   scale,
   subtract,
   type Vec3,
-} from '../../model/vec.ts';
+} from '../../geometry/vec.ts';
+import { type Feature, isHole, type Part, type Prism } from '../../model/catalogue.ts';
 import { DIMENSIONS } from './detail.ts';
 
 /** Points closer than this are one, modules. */

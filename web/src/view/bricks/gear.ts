@@ -1,5 +1,5 @@
+import { add, dot, scale, subtract, type Vec3 } from '../../geometry/vec.ts';
 import { isHole, type Part } from '../../model/catalogue.ts';
-import { add, dot, scale, subtract, type Vec3 } from '../../model/vec.ts';
 import type { Detail } from './detail.ts';
 import { addAxleHole, addPinHole, axleHoleOpening, pinHoleOpening } from './holes.ts';
 import { type Frame, frameAlong, type MeshBuilder, type Point2, toPart } from './mesh-builder.ts';

@@ -1,4 +1,4 @@
-import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../model/vec.ts';
+import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../geometry/vec.ts';
 
 /** A right-handed local frame: axes are unit vectors in part coordinates. */
 export interface Frame {

@@ -1,4 +1,3 @@
-import { type Feature, isHole, isMale, type Part, type Prism } from '../../model/catalogue.ts';
 import {
   add,
   distance,
@@ -9,7 +8,8 @@ import {
   scale,
   subtract,
   type Vec3,
-} from '../../model/vec.ts';
+} from '../../geometry/vec.ts';
+import { type Feature, isHole, isMale, type Part, type Prism } from '../../model/catalogue.ts';
 import { bodyPrisms, distanceToSegment, isPoint, parallel, TOLERANCE } from './body-prisms.ts';
 
 /** One place of a body, a module wide: its middle and the axis about which it is round. */

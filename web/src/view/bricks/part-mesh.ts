@@ -1,5 +1,5 @@
+import { add, dot, scale, subtract, type Vec3 } from '../../geometry/vec.ts';
 import type { Part } from '../../model/catalogue.ts';
-import { add, dot, scale, subtract, type Vec3 } from '../../model/vec.ts';
 import { addAxle } from './axle.ts';
 import { addBush, addStop, hasFlanges } from './bush.ts';
 import { DETAILS, type Detail, type DetailName, DIMENSIONS } from './detail.ts';

@@ -1,5 +1,5 @@
 import { ShapeUtils, Vector2 } from 'three';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import {
   directionToPart,
   type Frame,

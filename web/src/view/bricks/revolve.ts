@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import {
   directionToPart,
   type Frame,

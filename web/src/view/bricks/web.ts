@@ -1,4 +1,4 @@
-import { normalize, subtract, type Vec3 } from '../../model/vec.ts';
+import { normalize, subtract, type Vec3 } from '../../geometry/vec.ts';
 import {
   directionToPart,
   type Frame,

@@ -1,4 +1,4 @@
-import { dot, type Mat3, rotate, type Vec3 } from '../../model/vec.ts';
+import { dot, type Mat3, rotate, type Vec3 } from '../../geometry/vec.ts';
 import type { DetailName } from '../bricks/detail.ts';
 import type { BrickMesh } from '../bricks/mesh-builder.ts';
 import type { DrawingCamera } from './drawing-camera.ts';

@@ -1,4 +1,4 @@
-import { add, cross, dot, normalize, scale, type Vec3 } from '../../model/vec.ts';
+import { add, cross, dot, normalize, scale, type Vec3 } from '../../geometry/vec.ts';
 
 /** An orthographic camera for pictures: parallel lines stay parallel, as in printed instructions. */
 export interface DrawingCamera {

@@ -1,8 +1,8 @@
+import { add, type Mat3, rotate, type Vec3 } from '../../geometry/vec.ts';
 import { type Bounds, corners } from '../../model/bounds.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import { colourHex } from '../../model/colours.ts';
 import type { PlacedPart } from '../../model/model.ts';
-import { add, type Mat3, rotate, type Vec3 } from '../../model/vec.ts';
 import type { DetailName } from '../bricks/detail.ts';
 import type { BrickMesh } from '../bricks/mesh-builder.ts';
 import { buildPartMesh } from '../bricks/part-mesh.ts';

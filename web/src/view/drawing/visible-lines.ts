@@ -1,4 +1,4 @@
-import { dot, type Vec3 } from '../../model/vec.ts';
+import { dot, type Vec3 } from '../../geometry/vec.ts';
 import type { DetailName } from '../bricks/detail.ts';
 import { cameraInPart, type DepthBuffer } from './depth-buffer.ts';
 import type { DrawingCamera } from './drawing-camera.ts';

@@ -1,5 +1,5 @@
+import { add, cross, normalize, rotate, scale, subtract, type Vec3 } from '../../geometry/vec.ts';
 import type { Model } from '../../model/model.ts';
-import { add, cross, normalize, rotate, scale, subtract, type Vec3 } from '../../model/vec.ts';
 import type { MeshShelf } from '../drawing/drawn-part.ts';
 
 const MM_PER_MODULE = 8;

@@ -1,6 +1,6 @@
 import { MOUSE, OrthographicCamera, PerspectiveCamera, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { Navigation, Projection, StandardView } from '../view-types.ts';
 import { FIELD_OF_VIEW, fitPoints } from './fit-points.ts';
 import { VIEW_DIRECTIONS } from './standard-views.ts';

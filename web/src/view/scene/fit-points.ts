@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 
 /** Vertical opening of the perspective camera, degrees. */
 export const FIELD_OF_VIEW = 26;

@@ -6,7 +6,7 @@ import {
   Vector2,
   Vector4,
 } from 'three';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { Projected, Ray } from '../view-types.ts';
 
 /** Goes between places on a canvas (CSS pixels from its top left corner) and points of space. */

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { StandardView } from '../view-types.ts';
 
 /** Directions from the middle to the eye. A little off the pole, so that up stays defined. */

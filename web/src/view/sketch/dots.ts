@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry, Color, Points, ShaderMaterial } from 'three';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 
 const VERTEX = /* glsl */ `
 attribute float size;

@@ -16,10 +16,10 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
+import type { Vec3 } from '../../geometry/vec.ts';
 import { type Bounds, sketchBounds } from '../../model/bounds.ts';
 import type { FoundSymmetry, RotationSymmetry } from '../../model/found-symmetries.ts';
 import type { KeepOutBox, SketchDocument, SketchJoint, SketchLine } from '../../model/sketch.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import type { ViewTheme } from '../scene/theme.ts';
 import type { SketchMarks } from '../view-types.ts';
 

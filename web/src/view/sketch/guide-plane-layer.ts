@@ -8,7 +8,7 @@ import {
   ShaderMaterial,
   Vector3,
 } from 'three';
-import { AXIS_NAMES, type AxisName, type Vec3 } from '../../model/vec.ts';
+import { AXIS_NAMES, type AxisName, type Vec3 } from '../../geometry/vec.ts';
 import type { ViewTheme } from '../scene/theme.ts';
 import type { GuidePlane } from '../view-types.ts';
 

@@ -1,6 +1,6 @@
 import type { Object3D } from 'three';
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { SketchDocument, SketchNode } from '../../model/sketch.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import type { ViewTheme } from '../scene/theme.ts';
 import type { GuidePlane, LinePreview, SketchMarks } from '../view-types.ts';
 import { GuidePlaneLayer } from './guide-plane-layer.ts';

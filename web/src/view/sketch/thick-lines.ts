@@ -2,7 +2,7 @@ import { Color, type ColorRepresentation } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import type { Vec3 } from '../../model/vec.ts';
+import type { Vec3 } from '../../geometry/vec.ts';
 
 /** A straight line to draw. */
 export interface Segment {

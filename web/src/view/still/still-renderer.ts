@@ -1,8 +1,8 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import type { Vec3 } from '../../geometry/vec.ts';
 import { boundsOfPoints, modelCorners } from '../../model/bounds.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
-import type { Vec3 } from '../../model/vec.ts';
 import { BrickLibrary } from '../bricks/brick-library.ts';
 import { BrickMaterials } from '../bricks/brick-materials.ts';
 import { chooseDetail } from '../level-of-detail.ts';

@@ -1,5 +1,5 @@
+import { IDENTITY, ORIGIN } from '../../geometry/vec.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
-import { IDENTITY, ORIGIN } from '../../model/vec.ts';
 import { StillRenderer } from './still-renderer.ts';
 
 const SIZE = { width: 160, height: 112 } as const;
