@@ -1,14 +1,13 @@
+import type { Vec3 } from '../../geometry/vec.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { Model } from '../../model/model.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
-import type { Vec3 } from '../../geometry/vec.ts';
 import type { ExportFormat } from '../../solver/protocol.ts';
 import { writeSketch } from '../../state/read-sketch.ts';
 import { cameraFor, ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import { drawn, MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { writeLineArt } from '../../view/drawing/line-art.ts';
 import { drawPicture } from '../../view/drawing/picture.ts';
-import { writeGlb } from '../../view/export/glb.ts';
 import { writeStl } from '../../view/export/stl.ts';
 import { pictureBlob } from './picture-blob.ts';
 import { roomSolver } from './room-solver.ts';
@@ -81,12 +80,13 @@ export async function makeFile(kind: FileKind, source: FileSource): Promise<Blob
     : makeShape(kind, model, source);
 }
 
-function makeShape(kind: FileKind, model: Model, source: FileSource): Promise<Blob> | Blob {
+async function makeShape(kind: FileKind, model: Model, source: FileSource): Promise<Blob> {
   const shelf = new MeshShelf(source.catalogue);
   const out = source.out ?? ISO_OUT;
   const parts = model.parts.map(drawn);
   if (kind === 'glb') {
-    return new Blob([writeGlb(model, shelf)], { type: 'model/gltf-binary' });
+    const { writeGlb } = await import('../../view/export/glb.ts');
+    return new Blob([await writeGlb(model, shelf)], { type: 'model/gltf-binary' });
   }
   if (kind === 'stl') {
     return new Blob([writeStl(model, shelf)], { type: 'model/stl' });
