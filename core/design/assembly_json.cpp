@@ -1,23 +1,15 @@
 #include <nlohmann/json.hpp>
 
 #include "design/design_session.h"
+#include "design/json_values.h"
 #include "instructions/sequence.h"
 #include "model/model_json.h"
-#include "model/number_text.h"
 
 namespace liftarm::design {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-double rounded(double value) {
-  return ordered_json::parse(model::numberText(value)).get<double>();
-}
-
-ordered_json pointJson(lattice::Vec3 p) {
-  return ordered_json::array({rounded(p.x), rounded(p.y), rounded(p.z)});
-}
 
 ordered_json addJson(const instructions::Add& add) {
   const lattice::Vec3 last = add.legs.empty() ? lattice::Vec3{} : add.legs.back();

@@ -2,23 +2,15 @@
 
 #include "analysis/check.h"
 #include "design/design_session.h"
+#include "design/json_values.h"
 #include "design/motion_json.h"
 #include "model/model_json.h"
-#include "model/number_text.h"
 
 namespace liftarm::design {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-double rounded(double value) {
-  return ordered_json::parse(model::numberText(value)).get<double>();
-}
-
-ordered_json pointJson(lattice::Vec3 p) {
-  return ordered_json::array({rounded(p.x), rounded(p.y), rounded(p.z)});
-}
 
 ordered_json problemJson(const analysis::Problem& problem) {
   ordered_json json{{"kind", problem.kind}, {"message", problem.message}};

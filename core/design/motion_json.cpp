@@ -10,6 +10,7 @@
 
 #include "analysis/coverage.h"
 #include "design/design_session.h"
+#include "design/json_values.h"
 #include "model/model_json.h"
 
 namespace liftarm::design {
@@ -21,16 +22,7 @@ using analysis::Twist;
 using lattice::Vec3;
 using nlohmann::ordered_json;
 
-//! To 1e-6, without a negative zero.
-double rounded(double value) {
-  return std::floor(value * 1e6 + 0.5) / 1e6 + 0.0;
-}
-
-ordered_json pointJson(Vec3 p) {
-  return ordered_json::array({rounded(p.x), rounded(p.y), rounded(p.z)});
-}
-
-ordered_json pointJson(GroundPoint p) {
+ordered_json groundJson(GroundPoint p) {
   return ordered_json::array({rounded(p.x), rounded(p.y)});
 }
 
@@ -90,7 +82,7 @@ ordered_json motionsJson(const analysis::Freedoms& freedoms) {
 ordered_json balanceJson(const analysis::Balance& balance) {
   ordered_json polygon = ordered_json::array();
   for (const GroundPoint p : balance.polygon) {
-    polygon.push_back(pointJson(p));
+    polygon.push_back(groundJson(p));
   }
   return {{"stable", balance.stable},
           {"centre", pointJson(balance.centre)},
@@ -98,7 +90,7 @@ ordered_json balanceJson(const analysis::Balance& balance) {
           {"ground", rounded(balance.ground)},
           {"margin", rounded(balance.margin)},
           {"tippingAngle", rounded(balance.tippingAngle)},
-          {"direction", pointJson(balance.direction)}};
+          {"direction", groundJson(balance.direction)}};
 }
 
 ordered_json jointsJson(const std::vector<analysis::JointRange>& joints) {

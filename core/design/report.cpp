@@ -1,11 +1,11 @@
 #include "design/report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <nlohmann/json.hpp>
 
 #include "analysis/check.h"
+#include "design/json_values.h"
 #include "design/measures.h"
 #include "design/owned_parts.h"
 #include "guide/beam_bound.h"
@@ -18,20 +18,12 @@ namespace {
 
 using nlohmann::json;
 
-double rounded(double v) {
-  return std::floor(v * 1e6 + 0.5) / 1e6;
-}
-
-json pointJson(lattice::Vec3 p) {
-  return json::array({rounded(p.x), rounded(p.y), rounded(p.z)});
-}
-
 json problemsJson(const analysis::CheckReport& check) {
   json problems = json::array();
   for (const analysis::Problem& problem : check.problems) {
     problems.push_back({{"kind", problem.kind},
                         {"message", problem.message},
-                        {"at", problem.at ? pointJson(*problem.at) : json()},
+                        {"at", problem.at ? json(pointJson(*problem.at)) : json()},
                         {"parts", problem.parts}});
   }
   return problems;

@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -8,6 +7,7 @@
 #include "analysis/scene.h"
 #include "analysis/stress.h"
 #include "design/design_session.h"
+#include "design/json_values.h"
 #include "design/stress_options.h"
 #include "model/model_json.h"
 #include "model/number_text.h"
@@ -22,35 +22,28 @@ using nlohmann::ordered_json;
 
 constexpr int kDecimals = 9;  // forces and displacements of light models are small
 
-double rounded(double value) {
-  constexpr double kLargest = 1e9;
-  return std::abs(value) < kLargest
-             ? ordered_json::parse(model::numberText(value, kDecimals)).get<double>()
-             : value;
-}
-
-ordered_json vectorJson(Vec3 v) {
-  return ordered_json::array({rounded(v.x), rounded(v.y), rounded(v.z)});
+double fine(double value) {
+  return rounded(value, kDecimals);
 }
 
 ordered_json sampleJson(const analysis::StressSample& sample) {
   const Vec3 d = sample.displacement;
-  return ordered_json::array({rounded(sample.at.x),
-                              rounded(sample.at.y),
-                              rounded(sample.at.z),
-                              rounded(sample.stress),
-                              rounded(d.x),
-                              rounded(d.y),
-                              rounded(d.z)});
+  return ordered_json::array({fine(sample.at.x),
+                              fine(sample.at.y),
+                              fine(sample.at.z),
+                              fine(sample.stress),
+                              fine(d.x),
+                              fine(d.y),
+                              fine(d.z)});
 }
 
 ordered_json reportJson(const StressReport& report) {
   ordered_json parts = ordered_json::array();
   ordered_json samples = ordered_json::array();
   for (const analysis::PartStress& part : report.parts) {
-    parts.push_back({{"stress", rounded(part.stress)},
-                     {"safety", rounded(part.safety)},
-                     {"utilisation", rounded(part.utilisation)}});
+    parts.push_back({{"stress", fine(part.stress)},
+                     {"safety", fine(part.safety)},
+                     {"utilisation", fine(part.utilisation)}});
     ordered_json along = ordered_json::array();
     for (const analysis::StressSample& sample : part.samples) {
       along.push_back(sampleJson(sample));
@@ -60,26 +53,27 @@ ordered_json reportJson(const StressReport& report) {
   ordered_json pins = ordered_json::array();
   for (const analysis::PinStress& pin : report.pins) {
     pins.push_back({{"part", pin.part},
-                    {"shear", rounded(pin.shear)},
-                    {"safety", rounded(pin.safety)},
-                    {"torque", rounded(pin.torque)}});
+                    {"shear", fine(pin.shear)},
+                    {"safety", fine(pin.safety)},
+                    {"torque", fine(pin.torque)}});
   }
   ordered_json reactions = ordered_json::array();
   for (const analysis::Reaction& reaction : report.reactions) {
-    reactions.push_back({{"at", vectorJson(reaction.at)}, {"force", vectorJson(reaction.force)}});
+    reactions.push_back({{"at", pointJson(reaction.at, kDecimals)},
+                         {"force", pointJson(reaction.force, kDecimals)}});
   }
   constexpr double kLeans = 0.01;  // degrees
   const std::string leans = "It does not stand as drawn: it leans over by " +
                             model::numberText(report.tilt, 1) + " degrees and rests so";
   return {{"ok", true},
           {"message", report.tilt > kLeans ? leans : ""},
-          {"maxStress", rounded(report.maxStress)},
-          {"safety", rounded(report.safety)},
-          {"maxDisplacement", rounded(report.maxDisplacement)},
-          {"weight", rounded(report.weight)},
+          {"maxStress", fine(report.maxStress)},
+          {"safety", fine(report.safety)},
+          {"maxDisplacement", fine(report.maxDisplacement)},
+          {"weight", fine(report.weight)},
           {"imbalance", report.imbalance},
-          {"tilt", rounded(report.tilt)},
-          {"up", vectorJson(report.up)},
+          {"tilt", fine(report.tilt)},
+          {"up", pointJson(report.up, kDecimals)},
           {"parts", parts},
           {"samples", samples},
           {"pins", pins},
