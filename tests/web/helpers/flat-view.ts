@@ -24,7 +24,7 @@ export function flatView(store: SketchStore): ToolView {
       direction: [0, 0, -1],
     }),
     project: (p) => ({ ...seenFromAbove(p), visible: true }),
-    pickAt: (at) => ({ node: nearestNode(store, at), line: nearestLine(store, at), part: null }),
+    pickAt: (at) => ({ node: nearestNode(store, at), line: nearestLine(store, at) }),
     viewDirection: () => [0, 0, -1],
   };
 }

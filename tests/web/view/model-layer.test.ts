@@ -66,6 +66,28 @@ describe('ModelLayer', () => {
     expect((after?.[0] ?? 0) - (before?.[0] ?? 0)).toBeGreaterThan(0.5);
   });
 
+  it('draws nothing that is not built when it goes in slices', () => {
+    const patient = new ModelLayer(new BrickLibrary(catalogue), new BrickMaterials(), 'in-slices');
+    patient.setModel(model);
+    expect(instances(patient)).toBe(0);
+    expect(patient.advance(0)).toBe(true);
+    expect(surfaces(patient)).toHaveLength(1);
+    while (patient.advance(0)) {}
+    expect(instances(patient)).toBe(4);
+  });
+
+  it('keeps bricks at their level until the new one is built', () => {
+    const patient = new ModelLayer(new BrickLibrary(catalogue), new BrickMaterials(), 'in-slices');
+    patient.setModel(model);
+    patient.advance(Infinity);
+    const corners = () => surfaces(patient).map((mesh) => mesh.geometry.index?.count ?? 0);
+    const high = corners();
+    patient.setDetail('low');
+    expect(corners()).toEqual(high);
+    patient.advance(Infinity);
+    expect(Math.max(...corners())).toBeLessThan(Math.min(...high));
+  });
+
   it('is empty again without a model', () => {
     layer.setModel(null);
     expect(layer.group.children).toHaveLength(0);

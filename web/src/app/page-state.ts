@@ -121,17 +121,18 @@ export class PageState {
       const { theme } = preferences.value;
       return theme === 'auto' ? (this.systemDark.value ? 'dark' : 'light') : theme;
     });
-    this.problemPoints = computed(() => {
+    this.problemPoints = settled(() => {
       const problems = this.stale.value ? [] : (this.result.value?.problems ?? []);
       const ofModel = problems.flatMap((problem) => (problem.at ? [problem.at] : []));
       return [...ofModel, ...this.faults.value.map((fault) => fault.at)];
     });
-    this.problemLines = computed(() => {
+    const faultyLines = settled(() => {
       const { phase, message } = solve.value;
       const refused = phase === 'refused' ? refusedLine(message) : null;
       const faulty = this.faults.value.flatMap((fault) => fault.lines);
-      return new Set(refused === null ? faulty : [...faulty, refused]);
+      return refused === null ? faulty : [...faulty, refused];
     });
+    this.problemLines = computed(() => new Set(faultyLines.value));
     this.hoveredPart = computed(() => {
       const index = this.hoveredPartIndex.value;
       return index === null ? null : (shown.value?.model.parts[index]?.part ?? null);
@@ -167,6 +168,17 @@ export class PageState {
     this.pickedPart.value = null;
     this.listedPart.value = null;
   }
+}
+
+/** A list that stays the same object while it says the same: who draws it has nothing to do then. */
+function settled<T>(list: () => readonly T[]): ReadonlySignal<readonly T[]> {
+  let last: readonly T[] = [];
+  return computed(() => {
+    const next = list();
+    const same = JSON.stringify(next) === JSON.stringify(last);
+    last = same ? last : next;
+    return last;
+  });
 }
 
 /** The text of a sketch without its name: equal texts give equal models. */

@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
@@ -11,7 +11,7 @@ import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
 import { SceneLabel } from './scene-label.ts';
 
-const NOTHING: Pick = { line: null, node: null, part: null };
+const NOTHING: Pick = { line: null, node: null };
 /** A press that moves farther than this is a drag. */
 const CLICK_PIXELS = 4;
 /** Pause after the picture of an unfinished layout, as a multiple of what the picture cost. */
@@ -115,9 +115,8 @@ export class SceneBridge implements PointerTarget {
     }
     const tool = this.#state.tool.value;
     tool.pointerMove(at);
-    const part = tool.id === 'select' ? this.toolView.pickAt(at).part : null;
-    const index = tool.overlay.value.hovered === null ? (part?.index ?? null) : null;
-    this.#state.hoveredPartIndex.value = index;
+    const overPart = tool.id === 'select' && tool.overlay.value.hovered === null;
+    this.#state.hoveredPartIndex.value = overPart ? this.#partAt(at) : null;
   }
 
   released(at: PointerInput): void {
@@ -136,9 +135,13 @@ export class SceneBridge implements PointerTarget {
     this.#pressedAt = null;
     const still = from && Math.hypot(at.x - from.x, at.y - from.y) <= CLICK_PIXELS;
     if (still && this.#state.tool.value.id === 'select') {
-      const { line, part } = this.toolView.pickAt(at);
-      this.#state.pickedPart.value = line === null ? (part?.index ?? null) : null;
+      const { line } = this.toolView.pickAt(at);
+      this.#state.pickedPart.value = line === null ? this.#partAt(at) : null;
     }
+  }
+
+  #partAt(at: PointerInput): number | null {
+    return this.#view?.pickPart(at.x, at.y)?.index ?? null;
   }
 
   left(): void {
@@ -161,9 +164,12 @@ export class SceneBridge implements PointerTarget {
 
   #follow(host: HTMLElement): () => void {
     const state = this.#state;
+    // The overlay changes with every move of the pointer, what it hovers over seldom: a sketch must not
+    // be drawn anew because a line's end has moved.
+    const hovered = computed(() => state.tool.value.overlay.value.hovered);
     const stops = [
       effect(() => this.#view?.setTheme(state.themeName.value as ThemeName)),
-      effect(() => this.#showSketch()),
+      effect(() => this.#showSketch(hovered.value)),
       effect(() => this.#showModel()),
       effect(() => this.#view?.setMode(state.preferences.value.show)),
       effect(() => this.#view?.colourBy(state.preferences.value.colourBy)),
@@ -182,11 +188,11 @@ export class SceneBridge implements PointerTarget {
     };
   }
 
-  #showSketch(): void {
-    const { store, tool, problemPoints, problemLines, proposedSymmetry } = this.#state;
+  #showSketch(hovered: number | null): void {
+    const { store, problemPoints, problemLines, proposedSymmetry } = this.#state;
     const marks: SketchMarks = {
       selected: store.selection.value,
-      hovered: tool.value.overlay.value.hovered,
+      hovered,
       errors: problemLines.value,
       errorPoints: problemPoints.value,
       proposedSymmetry: proposedSymmetry.value,

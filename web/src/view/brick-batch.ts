@@ -77,10 +77,8 @@ export class BrickBatch {
     group.add(this.#surface, this.#lines);
   }
 
-  /** Triangles of all members together at a level of detail. */
-  trianglesAt(detail: DetailName): number {
-    const indices = this.#library.get(this.partId, detail)?.mesh.indices.length ?? 0;
-    return (indices / 3) * this.members.length;
+  get detail(): DetailName {
+    return this.#detail;
   }
 
   setDetail(detail: DetailName): void {

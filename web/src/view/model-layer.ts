@@ -8,6 +8,7 @@ import type { BrickLibrary } from './bricks/brick-library.ts';
 import type { BrickMaterials } from './bricks/brick-materials.ts';
 import type { DetailName } from './bricks/detail.ts';
 import { schemeHex } from './colour-scheme.ts';
+import { chooseDetail } from './level-of-detail.ts';
 import { pickPart } from './part-picking.ts';
 import type { ColourScheme, Isolation, PartDisplay, PartPick, Ray } from './view-types.ts';
 
@@ -22,22 +23,37 @@ export interface PartMarks {
 interface Fade {
   /** sRGB. */
   readonly towards: number;
-  /** 0 to 1. */
-  readonly amount: number;
   readonly only: true | ReadonlySet<number>;
 }
 
+/** How pale faded parts become: 1 would be the colour that they fade towards. */
+const FADE_AMOUNT = 0.62;
 /** How far an exploded model spreads at most, as a multiple of its size. */
 const EXPLODE_SPREAD = 0.9;
 
-/** The placed parts of one model as instanced bricks. */
+/** All bricks of one part and style that are to be drawn. */
+interface Members {
+  readonly partId: string;
+  readonly style: BatchStyle;
+  readonly indices: number[];
+}
+
+/** Any level will do until the right one is built: the finest first. */
+const FALLBACKS: readonly DetailName[] = ['high', 'medium', 'low', 'ultra'];
+
+/**
+ * The placed parts of one model as instanced bricks. Geometry of parts that were not seen before takes
+ * long to build: `in-slices` leaves it to advance(), so that no frame waits for all of it.
+ */
 export class ModelLayer {
   readonly group = new Group();
   readonly #library: BrickLibrary;
   readonly #materials: BrickMaterials;
   #model: Model | null = null;
   #batches: BrickBatch[] = [];
-  readonly #triangles = new Map<DetailName, number>();
+  /** What waits for its geometry and is not drawn yet. */
+  #waiting: Members[] = [];
+  readonly #pace: 'at-once' | 'in-slices';
   #bounds: Bounds | null = null;
   #detail: DetailName = 'high';
   #scheme: ColourScheme = 'part';
@@ -47,11 +63,17 @@ export class ModelLayer {
   /** The model's parts where they stand now: as built, or as the display has them. */
   #parts: readonly PlacedPart[] = [];
   #explode = 0;
+  #linesVisible = true;
   #fade: Fade | null = null;
 
-  constructor(library: BrickLibrary, materials: BrickMaterials) {
+  constructor(
+    library: BrickLibrary,
+    materials: BrickMaterials,
+    pace: 'at-once' | 'in-slices' = 'at-once',
+  ) {
     this.#library = library;
     this.#materials = materials;
+    this.#pace = pace;
   }
 
   get model(): Model | null {
@@ -69,15 +91,17 @@ export class ModelLayer {
     return model ? modelCorners(this.#explodedModel(model), this.#library.catalogue) : [];
   }
 
-  /** Triangles of all bricks shown, at a level of detail. */
+  /** Triangles of all bricks shown, at a level of detail; about, while not all of them are built. */
   trianglesAt(detail: DetailName): number {
-    const known = this.#triangles.get(detail);
-    if (known !== undefined) {
-      return known;
-    }
-    const sum = this.#batches.reduce((total, batch) => total + batch.trianglesAt(detail), 0);
-    this.#triangles.set(detail, sum);
-    return sum;
+    const triangles = (partId: string): number => {
+      if (this.#pace === 'at-once') {
+        this.#library.get(partId, detail);
+      }
+      return this.#library.triangles(partId, detail);
+    };
+    const drawn = this.#batches.map(({ partId, members }) => triangles(partId) * members.length);
+    const due = this.#waiting.map(({ partId, indices }) => triangles(partId) * indices.length);
+    return [...drawn, ...due].reduce((sum, value) => sum + value, 0);
   }
 
   setModel(model: Model | null): void {
@@ -90,7 +114,11 @@ export class ModelLayer {
 
   /** Mixes colours towards one; null gives them back. */
   setFade(fade: Fade | null): void {
+    const before = this.#fade;
     this.#fade = fade;
+    if (before?.only === fade?.only && before?.towards === fade?.towards) {
+      return;
+    }
     this.#paint();
   }
 
@@ -140,19 +168,63 @@ export class ModelLayer {
     this.#place();
   }
 
+  /**
+   * The level of detail, and how strong the lines are, for bricks of this size on screen.
+   * @returns true when the level changed.
+   */
+  suit(pixelsPerModule: number): boolean {
+    const choice = chooseDetail(pixelsPerModule, (detail) => this.trianglesAt(detail));
+    this.setLinesVisible(choice.lineOpacity > 0);
+    this.#materials.setLineOpacity(choice.lineOpacity);
+    return this.setDetail(choice.detail);
+  }
+
   /** @returns true when the level changed. */
   setDetail(detail: DetailName): boolean {
     if (detail === this.#detail) {
       return false;
     }
     this.#detail = detail;
-    for (const batch of this.#batches) {
-      batch.setDetail(detail);
+    if (this.#pace === 'at-once') {
+      for (const batch of this.#batches) {
+        batch.setDetail(detail);
+      }
     }
     return true;
   }
 
+  /**
+   * Builds what is still missing at the present level of detail, one part at least, until the time is up.
+   * @param milliseconds Infinity builds all of it.
+   * @returns whether anything is drawn otherwise than before, so that another frame is due.
+   */
+  advance(milliseconds: number): boolean {
+    const until = performance.now() + milliseconds;
+    let changed = false;
+    while (this.#buildNext()) {
+      changed = true;
+      if (performance.now() >= until) {
+        break;
+      }
+    }
+    return changed;
+  }
+
+  /** What is not drawn at all comes before what is drawn at another level. */
+  #buildNext(): boolean {
+    const members = this.#waiting.shift();
+    if (members) {
+      this.#library.get(members.partId, this.#detail);
+      this.#addBatch(members, this.#detail);
+      return true;
+    }
+    const batch = this.#batches.find(({ detail }) => detail !== this.#detail);
+    batch?.setDetail(this.#detail);
+    return batch !== undefined;
+  }
+
   setLinesVisible(visible: boolean): void {
+    this.#linesVisible = visible;
     for (const batch of this.#batches) {
       batch.setLinesVisible(visible);
     }
@@ -185,12 +257,12 @@ export class ModelLayer {
       batch.dispose();
     }
     this.#batches = [];
-    this.#triangles.clear();
+    this.#waiting = [];
   }
 
   #rebuild(): void {
     this.#clear();
-    const members = new Map<string, { partId: string; style: BatchStyle; indices: number[] }>();
+    const members = new Map<string, Members>();
     this.#model?.parts.forEach((part, index) => {
       const style = this.#styleOf(index);
       if (style === 'hidden' || !this.#library.catalogue.find(part.part)) {
@@ -204,14 +276,32 @@ export class ModelLayer {
         members.set(key, { partId: part.part, style, indices: [index] });
       }
     });
-    for (const { partId, style, indices } of members.values()) {
-      const content = { partId, members: indices, style, detail: this.#detail };
-      const batch = new BrickBatch(this.#library, this.#materials, content);
-      batch.addTo(this.group);
-      this.#batches.push(batch);
+    for (const group of members.values()) {
+      const detail = this.#readyDetail(group.partId);
+      if (detail) {
+        this.#addBatch(group, detail);
+      } else {
+        this.#waiting.push(group);
+      }
     }
-    this.#place();
-    this.#paint();
+  }
+
+  /** The level at which a part can be drawn without a wait, or null. */
+  #readyDetail(partId: string): DetailName | null {
+    if (this.#pace === 'at-once' || this.#library.built(partId, this.#detail)) {
+      return this.#detail;
+    }
+    return FALLBACKS.find((name) => this.#library.built(partId, name)) ?? null;
+  }
+
+  #addBatch({ partId, style, indices }: Members, detail: DetailName): void {
+    const content = { partId, members: indices, style, detail };
+    const batch = new BrickBatch(this.#library, this.#materials, content);
+    batch.addTo(this.group);
+    batch.setLinesVisible(this.#linesVisible);
+    this.#batches.push(batch);
+    this.#placeBatch(batch);
+    this.#paintBatch(batch);
   }
 
   #styleOf(index: number): BatchStyle | 'hidden' {
@@ -228,8 +318,12 @@ export class ModelLayer {
 
   #place(): void {
     for (const batch of this.#batches) {
-      batch.place(this.#parts, (index) => this.#shift(index));
+      this.#placeBatch(batch);
     }
+  }
+
+  #placeBatch(batch: BrickBatch): void {
+    batch.place(this.#parts, (index) => this.#shift(index));
   }
 
   #shift(index: number): Vec3 {
@@ -250,10 +344,14 @@ export class ModelLayer {
   }
 
   #paint(): void {
-    const parts = this.#model?.parts ?? [];
     for (const batch of this.#batches) {
-      batch.paint((index) => this.#colourOf(parts[index], index));
+      this.#paintBatch(batch);
     }
+  }
+
+  #paintBatch(batch: BrickBatch): void {
+    const parts = this.#model?.parts ?? [];
+    batch.paint((index) => this.#colourOf(parts[index], index));
   }
 
   #colourOf(part: PlacedPart | undefined, index: number): number {
@@ -263,7 +361,7 @@ export class ModelLayer {
     const given = this.#display.colours?.[index] ?? null;
     let hex = given ?? schemeHex(part, this.#scheme, this.#library.catalogue);
     if (this.#fade && (this.#fade.only === true || this.#fade.only.has(index))) {
-      hex = mixHex(hex, this.#fade.towards, this.#fade.amount);
+      hex = mixHex(hex, this.#fade.towards, FADE_AMOUNT);
     }
     if (this.#marks.errors?.has(index)) {
       hex = mixHex(hex, MARK_HEX.error, 0.7);

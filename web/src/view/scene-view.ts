@@ -5,7 +5,6 @@ import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { BrickLibrary } from './bricks/brick-library.ts';
 import { BrickMaterials } from './bricks/brick-materials.ts';
-import { chooseDetail } from './level-of-detail.ts';
 import { ModelLayer, type PartMarks } from './model-layer.ts';
 import type { OverlayContext, SceneOverlay } from './overlays/overlay.ts';
 import { OverlayList } from './overlays/overlay-list.ts';
@@ -16,7 +15,7 @@ import { ScreenSpace } from './scene/screen-space.ts';
 import { Stage } from './scene/stage.ts';
 import { viewTheme } from './scene/theme.ts';
 import { SketchScene } from './sketch/sketch-scene.ts';
-import { pickLine, pickNode } from './sketch-picking.ts';
+import { pickSketch } from './sketch-picking.ts';
 import { canvasToPng } from './still/canvas-png.ts';
 import type {
   ColourScheme,
@@ -26,6 +25,7 @@ import type {
   ModelOptions,
   Navigation,
   PartDisplay,
+  PartPick,
   Pick,
   Projected,
   Projection,
@@ -39,10 +39,8 @@ import type {
   ViewStats,
 } from './view-types.ts';
 
-/** How near the pointer must be, CSS pixels. */
-const REACH = { line: 8, node: 12, coarse: 2 } as const;
-/** How pale a model becomes that does not fit the sketch any more. */
-const DIM_AMOUNT = 0.62;
+/** Milliseconds of a frame in which geometry of new parts is built. */
+const BUILD_MS = 10;
 
 /**
  * The 3D view of sketch and model on one canvas. It draws only when something has changed; whoever
@@ -71,7 +69,7 @@ export class SceneView {
     this.#options = options;
     this.#stage = new Stage(canvas);
     this.#library = new BrickLibrary(options.catalogue);
-    this.#model = new ModelLayer(this.#library, this.#materials);
+    this.#model = new ModelLayer(this.#library, this.#materials, 'in-slices');
     this.#sketch = new SketchScene(this.#stage.theme);
     this.#stage.scene.add(this.#model.group, ...this.#sketch.objects, this.#overlays.group);
     this.#rig = new CameraRig(canvas, {
@@ -248,19 +246,16 @@ export class SceneView {
     return this.#screen.project(point);
   }
 
-  /** What lies under a place on screen. @param pointer `coarse` for a finger: reaches further. */
+  /** What of the sketch lies there on screen. @param pointer `coarse` for a finger: reaches further. */
   pick(x: number, y: number, pointer: 'fine' | 'coarse' = 'fine'): Pick {
-    const reach = pointer === 'coarse' ? REACH.coarse : 1;
-    const at = { x, y };
-    const project = this.#screen.projector();
-    const showsSketch = this.#mode !== 'model';
-    const lines = showsSketch ? (this.#sketch.sketch?.lines ?? []) : [];
-    const nodes = showsSketch ? this.#sketch.nodes : [];
-    return {
-      line: pickLine(at, lines, project, REACH.line * reach),
-      node: pickNode(at, nodes, project, REACH.node * reach),
-      part: this.#mode === 'sketch' ? null : this.#model.pick(this.screenToRay(x, y)),
-    };
+    return this.#mode === 'model'
+      ? { line: null, node: null }
+      : pickSketch({ x, y }, this.#sketch, this.#screen.projector(), pointer);
+  }
+
+  /** The brick under a place on screen, or null. */
+  pickPart(x: number, y: number): PartPick | null {
+    return this.#mode === 'sketch' ? null : this.#model.pick(this.screenToRay(x, y));
   }
 
   /** Middle of a part as drawn (exploded or not), or null. */
@@ -289,6 +284,8 @@ export class SceneView {
     const before = { ...this.#screen.size(), ratio: renderer.getPixelRatio() };
     renderer.setPixelRatio(1);
     this.#applySize(width, height);
+    this.#chooseDetail();
+    this.#model.advance(Infinity);
     this.#draw();
     // The bitmap is taken at the call, so the canvas may have its own size back at once.
     const picture = canvasToPng(this.#canvas);
@@ -313,22 +310,26 @@ export class SceneView {
     const more = this.#rig.update(now);
     this.#draw();
     this.#options.onFrame?.();
-    if (more) {
+    const built = this.#model.advance(BUILD_MS);
+    if (built) {
+      this.#stage.shadowChanged();
+    }
+    if (more || built) {
       this.invalidate();
     }
   };
 
   #draw(): void {
-    const { height } = this.#stage.renderer.getSize(new Vector2());
-    const pixelsPerModule = height / this.#rig.viewHeight();
-    const choice = chooseDetail(pixelsPerModule, (detail) => this.#model.trianglesAt(detail));
-    if (this.#model.setDetail(choice.detail)) {
-      this.#stage.shadowChanged();
-    }
-    this.#model.setLinesVisible(choice.lineOpacity > 0);
-    this.#materials.setLineOpacity(choice.lineOpacity);
+    this.#chooseDetail();
     this.#overlays.update();
     this.#stage.renderer.render(this.#stage.scene, this.#rig.camera);
+  }
+
+  #chooseDetail(): void {
+    const { height } = this.#stage.renderer.getSize(new Vector2());
+    if (this.#model.suit(height / this.#rig.viewHeight())) {
+      this.#stage.shadowChanged();
+    }
   }
 
   #overlayContext(): OverlayContext {
@@ -369,7 +370,7 @@ export class SceneView {
   #applyFade(): void {
     const towards = this.#stage.theme.backgroundBottom;
     const only = this.#dimmed;
-    this.#model.setFade(only === false ? null : { towards, amount: DIM_AMOUNT, only });
+    this.#model.setFade(only === false ? null : { towards, only });
   }
 
   /** Floor and light follow what there is to see. */

@@ -1,9 +1,26 @@
 import { lerp, type Vec3 } from '../geometry/vec.ts';
-import type { SketchLine, SketchNode } from '../model/sketch.ts';
-import type { LinePick, NodePick, Projected, ScreenPoint } from './view-types.ts';
+import type { SketchDocument, SketchLine, SketchNode } from '../model/sketch.ts';
+import type { LinePick, NodePick, Pick, Projected, ScreenPoint } from './view-types.ts';
 
 /** Where a point of space is on screen. */
 export type Projector = (point: Vec3) => Projected;
+
+/** How near the pointer must be, CSS pixels; a finger reaches further. */
+const REACH = { line: 8, node: 12, coarse: 2 } as const;
+
+/** What of a sketch lies at a place on screen. */
+export function pickSketch(
+  at: ScreenPoint,
+  drawn: { readonly sketch: SketchDocument | null; readonly nodes: readonly SketchNode[] },
+  project: Projector,
+  pointer: 'fine' | 'coarse',
+): Pick {
+  const times = pointer === 'coarse' ? REACH.coarse : 1;
+  return {
+    line: pickLine(at, drawn.sketch?.lines ?? [], project, REACH.line * times),
+    node: pickNode(at, drawn.nodes, project, REACH.node * times),
+  };
+}
 
 /** The line nearest to a place on screen within `reach` pixels, or null. */
 export function pickLine(

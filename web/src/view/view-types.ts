@@ -107,11 +107,10 @@ export interface PartPick {
   readonly distance: number;
 }
 
-/** What lies under the pointer; each null when nothing near enough. */
+/** What of the sketch lies under the pointer; each null when nothing near enough. */
 export interface Pick {
   readonly line: LinePick | null;
   readonly node: NodePick | null;
-  readonly part: PartPick | null;
 }
 
 /** A point of space on screen. `visible` is false behind the eye. */

@@ -106,8 +106,8 @@ function usePlacing(page: Page, placing: boolean, place: (at: Vec3) => void): vo
       return;
     }
     page.pointerTaker.value = {
-      pressed: ({ x, y, kind }: PointerInput) => {
-        const part = page.view()?.pick(x, y, kind === 'touch' ? 'coarse' : 'fine').part;
+      pressed: ({ x, y }: PointerInput) => {
+        const part = page.view()?.pickPart(x, y);
         if (part) {
           place(part.point);
         }

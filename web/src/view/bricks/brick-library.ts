@@ -12,6 +12,14 @@ export interface BrickGeometry {
   readonly mesh: BrickMesh;
 }
 
+/** Triangles of an ordinary part, for parts that are not built yet. */
+const USUAL_TRIANGLES: Readonly<Record<DetailName, number>> = {
+  ultra: 4500,
+  high: 2200,
+  medium: 1100,
+  low: 400,
+};
+
 /** Builds each part's geometry when it is first asked for and keeps it. */
 export class BrickLibrary {
   readonly catalogue: Catalogue;
@@ -35,6 +43,17 @@ export class BrickLibrary {
     const geometry = toGeometry(buildPartMesh(part, detail));
     this.#cache.set(key, geometry);
     return geometry;
+  }
+
+  /** The geometry of a part if it is built already. */
+  built(id: string, detail: DetailName): BrickGeometry | null {
+    return this.#cache.get(`${id}/${detail}`) ?? null;
+  }
+
+  /** How many triangles a part has: about, as long as it is not built. */
+  triangles(id: string, detail: DetailName): number {
+    const known = this.built(id, detail);
+    return known ? known.mesh.indices.length / 3 : USUAL_TRIANGLES[detail];
   }
 
   dispose(): void {

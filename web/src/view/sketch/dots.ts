@@ -100,43 +100,24 @@ export class Dots {
   set(dots: readonly Dot[]): void {
     const colour = new Color();
     const geometry = new BufferGeometry();
-    const attribute = (values: readonly number[], size: number): BufferAttribute =>
-      new BufferAttribute(new Float32Array(values), size);
-    geometry.setAttribute(
-      'position',
-      attribute(
-        dots.flatMap((dot) => [...dot.at]),
-        3,
-      ),
-    );
-    geometry.setAttribute(
-      'size',
-      attribute(
-        dots.map((dot) => dot.size),
-        1,
-      ),
-    );
-    geometry.setAttribute(
-      'ring',
-      attribute(
-        dots.map((dot) => (dot.ring ? 1 : 0)),
-        1,
-      ),
-    );
-    geometry.setAttribute(
-      'shape',
-      attribute(
-        dots.map((dot) => SHAPES[dot.shape ?? 'disc']),
-        1,
-      ),
-    );
-    geometry.setAttribute(
-      'fill',
-      attribute(
-        dots.flatMap((dot) => colour.setHex(dot.colour).toArray()),
-        3,
-      ),
-    );
+    // A large sketch has thousands of them: no lists in between.
+    const attribute = (name: string, size: number): Float32Array => {
+      const values = new Float32Array(dots.length * size);
+      geometry.setAttribute(name, new BufferAttribute(values, size));
+      return values;
+    };
+    const position = attribute('position', 3);
+    const fill = attribute('fill', 3);
+    const sizes = attribute('size', 1);
+    const rings = attribute('ring', 1);
+    const shapes = attribute('shape', 1);
+    dots.forEach((dot, i) => {
+      position.set(dot.at, 3 * i);
+      colour.setHex(dot.colour).toArray(fill, 3 * i);
+      sizes[i] = dot.size;
+      rings[i] = dot.ring ? 1 : 0;
+      shapes[i] = SHAPES[dot.shape ?? 'disc'];
+    });
     this.object.geometry.dispose();
     this.object.geometry = geometry;
     this.object.visible = dots.length > 0;

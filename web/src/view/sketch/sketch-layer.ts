@@ -18,6 +18,8 @@ export class SketchLayer {
   readonly #dots = new Dots(12);
   readonly #glyphs = new SketchGlyphs();
   #sketch: SketchDocument | null = null;
+  /** All that lines and dots were made from. */
+  #shown: readonly unknown[] = [];
   #nodes: readonly SketchNode[] = [];
 
   constructor() {
@@ -35,6 +37,13 @@ export class SketchLayer {
   }
 
   set(sketch: SketchDocument | null, marks: SketchMarks, theme: ViewTheme): void {
+    this.#glyphs.set(sketch, marks, theme);
+    const { hovered, selected, errors, errorPoints } = marks;
+    const shown = [sketch, theme, hovered, selected, errors, errorPoints, marks.ghosts];
+    if (shown.every((value, i) => value === this.#shown[i])) {
+      return;
+    }
+    this.#shown = shown;
     if (sketch !== this.#sketch) {
       this.#sketch = sketch;
       this.#nodes = sketch ? sketchNodes(sketch.lines) : [];
@@ -53,7 +62,6 @@ export class SketchLayer {
     this.#ghosts.set(ghosts);
     this.#dots.set([...nodeDots(this.#nodes, marks, theme), ...errorDots(marks, theme)]);
     this.#dots.setInner(theme.backgroundTop);
-    this.#glyphs.set(sketch, marks, theme);
   }
 
   setResolution(width: number, height: number, pixelRatio: number): void {
