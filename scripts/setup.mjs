@@ -14,6 +14,7 @@ const BUILD_PACKAGES = [
   'libcli11-dev',
   'libgtest-dev',
   'libgmock-dev',
+  'liblzma-dev',
   'libbenchmark-dev',
 ];
 const TEST_PACKAGES = ['clang-format', 'chromium', 'fonts-dejavu-core', 'calculix-ccx'];

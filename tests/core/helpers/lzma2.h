@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,11 +8,10 @@
 namespace liftarm::testing {
 
 //! \brief Unpacks one raw LZMA2 stream (no .xz container).
-//! \details After the format notes of the public-domain LZMA specification (Igor Pavlov). For test
-//! data only: broken input gives a short or empty answer, never a crash.
-std::vector<std::uint8_t> unpackLzma2(std::span<const std::uint8_t> packed);
+//! \param size Bytes of what is packed; broken input gives fewer.
+std::vector<std::uint8_t> unpackLzma2(std::span<const std::uint8_t> packed, std::size_t size);
 
-//! \brief Unpacks the first block of an .xz file; checksums are not looked at.
+//! \brief Unpacks an .xz file; empty when it is broken.
 std::vector<std::uint8_t> unpackXz(std::span<const std::uint8_t> file);
 
 }  // namespace liftarm::testing

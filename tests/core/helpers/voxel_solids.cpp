@@ -123,9 +123,10 @@ const VoxelSolid* VoxelSolids::find(const std::string& part) {
   }
   Entry& entry = it->second;
   if (!entry.unpacked) {
-    entry.shape.bits = unpackLzma2(bytes(file_, dataAt_ + entry.offset, entry.length));
     const int cubes = entry.shape.nx * entry.shape.ny * entry.shape.nz;
-    entry.shape.bits.resize((static_cast<std::size_t>(cubes) + 7) / 8);
+    const std::size_t size = (static_cast<std::size_t>(cubes) + 7) / 8;
+    entry.shape.bits = unpackLzma2(bytes(file_, dataAt_ + entry.offset, entry.length), size);
+    entry.shape.bits.resize(size);
     entry.unpacked = true;
   }
   return &entry.shape;
