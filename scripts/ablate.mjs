@@ -1,14 +1,13 @@
 // `npm run ablate [-- SKETCH...]`: what each part of the search is worth. Solves sketches over several seeds with
 // every part, then with one part at a time switched off, and writes docs/ablations.md.
-import { existsSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { build } from './build.mjs';
 import { ABLATIONS, summariseAblation } from './lib/ablations.mjs';
 import { markdownTable, secondsText } from './lib/markdown.mjs';
-import { exitWith, StepError, TOP } from './lib/run.mjs';
+import { readyCommand } from './lib/ready-command.mjs';
+import { exitWith, StepError } from './lib/run.mjs';
 import { machine, sketchFiles, sketchName, solve, wholeNumber } from './lib/solve.mjs';
-import { setUp } from './setup.mjs';
 
 const USAGE = `npm run ablate [-- SKETCH... options]
   SKETCH         a file or a name in ../shared/sketches; without any: a dozen of all kinds
@@ -113,16 +112,7 @@ ${rows.map(({ row }) => `- **${row.title}** (\`${row.set.join(' ') || 'default'}
 
 async function main() {
   const options = readOptions();
-  if (options.command === undefined) {
-    await setUp({ forTests: false });
-    await build('command');
-  }
-  options.command = resolve(options.command ?? resolve(TOP, 'build/native/liftarm'));
-  if (!existsSync(options.command)) {
-    throw new StepError(
-      `${relative(TOP, options.command)} is missing: run \`npm run build:native\``,
-    );
-  }
+  options.command = await readyCommand(options.command);
   const files = sketchFiles(options.names);
   const machineText = machine();
   const rows = [];

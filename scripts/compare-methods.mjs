@@ -1,11 +1,11 @@
 // `npm run compare [-- SKETCH...]`: the paper's method and ours on the same sketches, with the figures of the
 // authors' own program beside them, as docs/methods.md.
-import { existsSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { build } from './build.mjs';
 import { figures, geometricMean, markdownTable, secondsText } from './lib/markdown.mjs';
-import { exitWith, StepError, TOP } from './lib/run.mjs';
+import { readyCommand } from './lib/ready-command.mjs';
+import { exitWith, StepError } from './lib/run.mjs';
 import {
   machine,
   referenceRuns,
@@ -14,7 +14,6 @@ import {
   solve,
   wholeNumber,
 } from './lib/solve.mjs';
-import { setUp } from './setup.mjs';
 
 const USAGE = `npm run compare [-- SKETCH... options]
   SKETCH         a file or a name in ../shared/sketches; without any: all of ../shared/reference-runs.json
@@ -143,16 +142,7 @@ ${summary(rows)}
 
 async function main() {
   const options = readOptions();
-  if (options.command === undefined) {
-    await setUp({ forTests: false });
-    await build('command');
-  }
-  options.command = resolve(options.command ?? resolve(TOP, 'build/native/liftarm'));
-  if (!existsSync(options.command)) {
-    throw new StepError(
-      `${relative(TOP, options.command)} is missing: run \`npm run build:native\``,
-    );
-  }
+  options.command = await readyCommand(options.command);
   const references = referenceRuns();
   const names = options.names.length > 0 ? options.names : [...references.keys()];
   const machineText = machine();

@@ -1,16 +1,14 @@
-// `node scripts/gallery-pdf.mjs [--only ID] [--paper A4|Letter] [--lang de]`: saves the instructions of
+// `npm run gallery:pdf [-- --only ID,ID] [--paper A4|Letter] [--lang de]`: saves the instructions of
 // every gallery model as PDF with the built page, and lays their pages out on one sheet a model, to be
 // looked at: build/pdf/ID.sheet.png. Needs dist/, build/wasm/, Chromium, and pdftoppm for the sheets.
 import { spawn, spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { mkdirSync, readdirSync, rmSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { loadCore } from './lib/load-core.mjs';
-import { loadTypeScript } from './lib/load-typescript.mjs';
+import { openGallery } from './lib/gallery.mjs';
 import { drawSheet, launchBrowser } from './lib/picture-sheet.mjs';
 import { exitWith, freePort, StepError, TOP } from './lib/run.mjs';
 
-const GALLERY = resolve(TOP, 'public/gallery');
 const PATIENCE_MS = 600_000;
 /** Dots an inch of the sheets: enough to see overlaps and cut words. */
 const SHEET_DENSITY = 50;
@@ -23,30 +21,6 @@ const { values: options } = parseArgs({
     lang: { type: 'string', default: 'en' },
   },
 });
-
-const json = (file) => JSON.parse(readFileSync(resolve(GALLERY, file), 'utf8'));
-
-/** The model file of a row: with its gears where it has some. */
-function modelOf(row, tools, core) {
-  const sketch = readFileSync(resolve(GALLERY, row.file), 'utf8');
-  const session = new core.SolverSession(sketch, JSON.stringify({ seed: 1, preset: 'simple' }));
-  try {
-    while (!session.advance(5000)) {
-      // The search goes on.
-    }
-    const model = session.modelJson();
-    if (!row.gears) {
-      return model;
-    }
-    const train = tools.readGearTrain(json(row.gears), tools.catalogue);
-    if (!train.ok) {
-      throw new StepError(`${row.id}: ${train.message}`);
-    }
-    return tools.withTrain(model, train.value, tools.catalogue);
-  } finally {
-    session.delete();
-  }
-}
 
 /** Opens a model in the page and saves its instructions. @returns the PDF's file. */
 async function savePdf(page, model, row) {
@@ -94,8 +68,7 @@ async function layOut(sheet, pdf, row) {
 }
 
 async function main() {
-  const { tools } = await loadTypeScript('scripts/lib/gallery-tools.ts');
-  const core = await loadCore();
+  const { rows, solve } = await openGallery(options.only);
   mkdirSync(options.out, { recursive: true });
   const port = await freePort(4480);
   const server = spawn(process.execPath, ['scripts/serve.mjs', '--port', `${port}`], { cwd: TOP });
@@ -110,11 +83,9 @@ async function main() {
     const [page, sheet] = [await context.newPage(), await browser.newPage()];
     await page.goto(`http://127.0.0.1:${port}/`);
     await page.locator('.scene canvas').waitFor();
-    for (const row of json('index.json').models) {
-      if (!options.only || options.only.split(',').includes(row.id)) {
-        const pdf = await savePdf(page, modelOf(row, tools, core), row);
-        console.log(`${row.id.padEnd(16)} ${await layOut(sheet, pdf, row)} pages`);
-      }
+    for (const row of rows) {
+      const pdf = await savePdf(page, solve(row).json, row);
+      console.log(`${row.id.padEnd(16)} ${await layOut(sheet, pdf, row)} pages`);
     }
   } finally {
     await browser.close();

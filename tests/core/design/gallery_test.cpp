@@ -11,7 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "analysis/disassembly_state.h"
 #include "design/design_session.h"
+#include "instructions/sequence.h"
+#include "model/model_json.h"
 
 namespace liftarm::design {
 namespace {
@@ -92,6 +95,43 @@ TEST_P(Gallery, HasStepsThatHoldEachPartOnce) {
     EXPECT_EQ(added[group.at("id").get<int>()], parts) << "group " << group.at("id");
   }
   EXPECT_EQ(added[0].size(), json::parse(solved.model).at("parts").size());
+}
+
+//! How many sets the parts fall into that nothing holds together.
+std::size_t countPieces(const std::vector<std::vector<int>>& neighbours, std::set<int> open) {
+  std::size_t pieces = 0;
+  for (; !open.empty(); ++pieces) {
+    std::vector<int> set{*open.begin()};
+    open.erase(open.begin());
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      for (const int next : neighbours[static_cast<std::size_t>(set[i])]) {
+        if (open.erase(next) > 0) {
+          set.push_back(next);
+        }
+      }
+    }
+  }
+  return pieces;
+}
+
+TEST_P(Gallery, HasNoStepAfterWhichPartsHangInTheAir) {
+  const auto model = model::readModel(solve(GetParam(), 1).model);
+  ASSERT_TRUE(model.ok());
+  const analysis::Scene scene = analysis::makeScene(model.value(), parts::Catalogue::builtIn());
+  const std::vector<std::vector<int>> neighbours = analysis::findNeighbours(scene);
+  std::map<int, std::set<int>> built;
+  int number = 0;
+  for (const instructions::Step& step : instructions::planSequence(scene).steps) {
+    std::set<int>& of = built[step.group];
+    for (const instructions::Add& add : step.adds) {
+      of.insert(add.parts.begin(), add.parts.end());
+    }
+    ++number;
+    // Several pieces may stand side by side on the table.
+    EXPECT_TRUE(step.stable || countPieces(neighbours, of) == 1)
+        << "step " << number << " of group " << step.group << " leaves "
+        << countPieces(neighbours, of) << " pieces";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Public, Gallery, ::testing::ValuesIn(galleryFiles()), nameOf);
