@@ -176,6 +176,27 @@ test('the model of the leading seed is shown, once', async () => {
   expect(await result).toMatchObject({ modelJson: 'model 1' });
 });
 
+test('a search does not wait for the check of an earlier model', async () => {
+  const asked: string[] = [];
+  let started = 0;
+  const createClient = (): SolverClient => {
+    const worker = started;
+    started += 1;
+    const never = (what: string) => {
+      asked.push(`${what} ${worker}`);
+      return new Promise<never>(() => undefined);
+    };
+    return { ...silentClient(), check: () => never('check'), solve: () => never('solve') };
+  };
+  const pool = createSolverPool({ workers: 1, createClient });
+  void pool.check('{}');
+  void pool.solve('{}', {});
+  expect(asked).toEqual(['check 0', 'solve 1']);
+  // There is room for no third one.
+  void pool.check('{}');
+  expect(asked).toEqual(['check 0', 'solve 1', 'check 0']);
+});
+
 test('one core is left to the page, and four workers are enough', () => {
   expect([1, 2, 4, 16].map(workersFor)).toEqual([1, 1, 3, 4]);
 });

@@ -198,11 +198,16 @@ function chooseOne(accept: string, take: (file: File) => void): void {
   const input = document.createElement('input');
   input.type = 'file';
   input.accept = accept;
+  // In the document: a browser may forget an element that nothing holds while its dialog is open.
+  input.hidden = true;
+  input.oncancel = () => input.remove();
   input.onchange = () => {
     const file = input.files?.[0];
+    input.remove();
     if (file) {
       take(file);
     }
   };
+  document.body.append(input);
   input.click();
 }

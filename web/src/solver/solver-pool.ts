@@ -6,6 +6,7 @@ import {
   type SolverClient,
   type SolveWatch,
 } from './client.ts';
+import { ClientPark } from './client-park.ts';
 import type { SolveProgress, SolveSettings } from './protocol.ts';
 
 /**
@@ -42,25 +43,17 @@ function defaults(): PoolOptions {
 
 export function createSolverPool(options: Partial<PoolOptions> = {}): SolverClient {
   const chosen = { ...defaults(), ...options };
-  const clients: SolverClient[] = [];
-  /** Workers start when they are first needed. */
-  const client = (i: number): SolverClient => {
-    const found = clients[i] ?? chosen.createClient();
-    clients[i] = found;
-    return found;
-  };
+  // One more than search at once: the check of a large model takes a while, and a new search must not
+  // wait for it.
+  const park = new ClientPark(chosen.createClient, chosen.workers + 1);
   return {
     solve: (sketchJson, settings, watch = {}) =>
-      new SeedRace(chosen, client, { sketchJson, settings, watch }).run(),
-    check: (modelJson) => client(0).check(modelJson),
-    exportModel: (modelJson, format) => client(0).exportModel(modelJson, format),
-    ask: (question) => client(0).ask(question),
-    warmUp: () => client(0).warmUp(),
-    dispose: () => {
-      for (const started of clients) {
-        started.dispose();
-      }
-    },
+      new SeedRace(chosen, park, { sketchJson, settings, watch }).run(),
+    check: (modelJson) => park.free().check(modelJson),
+    exportModel: (modelJson, format) => park.free().exportModel(modelJson, format),
+    ask: (question) => park.free().ask(question),
+    warmUp: () => park.free().warmUp(),
+    dispose: () => park.dispose(),
   };
 }
 
@@ -84,7 +77,7 @@ interface Seed {
 /** One solve over several seeds. Settles exactly once. */
 class SeedRace {
   readonly #options: PoolOptions;
-  readonly #client: (i: number) => SolverClient;
+  readonly #park: ClientPark;
   readonly #request: Request;
   readonly #stop = new AbortController();
   readonly #seeds: Seed[];
@@ -95,9 +88,9 @@ class SeedRace {
   #settle: (result: SolveResult) => void = () => undefined;
   #fail: (error: unknown) => void = () => undefined;
 
-  constructor(options: PoolOptions, client: (i: number) => SolverClient, request: Request) {
+  constructor(options: PoolOptions, park: ClientPark, request: Request) {
     this.#options = options;
-    this.#client = client;
+    this.#park = park;
     this.#request = request;
     this.#seeds = Array.from({ length: options.seeds }, () => ({ progress: null, model: null }));
     this.#solved = new Array<Solved | undefined>(options.seeds).fill(undefined);
@@ -125,19 +118,19 @@ class SeedRace {
         return;
       }
       signal?.addEventListener('abort', cancel);
-      this.#startNext(0);
+      this.#startNext();
       this.#timer = setTimeout(() => this.#startOthers(), this.#options.patienceMs);
     });
   }
 
   #startOthers(): void {
     for (let i = 1; i < this.#options.workers; i += 1) {
-      this.#startNext(i);
+      this.#startNext();
     }
   }
 
   /** Gives the next seed to a worker that is free; none when all are under way. */
-  #startNext(worker: number): void {
+  #startNext(): void {
     const index = this.#next;
     if (index >= this.#options.seeds || this.#stop.signal.aborted) {
       return;
@@ -149,13 +142,14 @@ class SeedRace {
       onProgress: (progress, model) => this.#progressed(index, progress, model),
       signal: this.#stop.signal,
     };
-    this.#client(worker)
+    this.#park
+      .free()
       .solve(sketchJson, { ...settings, seed }, watch)
-      .then((result) => this.#ended(index, worker, result))
+      .then((result) => this.#ended(index, result))
       .catch((error: unknown) => this.#fail(error));
   }
 
-  #ended(index: number, worker: number, result: SolveResult): void {
+  #ended(index: number, result: SolveResult): void {
     if (this.#stop.signal.aborted) {
       return;
     }
@@ -170,7 +164,7 @@ class SeedRace {
       this.#settle(winner.result);
       return;
     }
-    this.#startNext(worker);
+    this.#startNext();
   }
 
   /** Tells of all seeds together, and shows the model of the one that leads. */
