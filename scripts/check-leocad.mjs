@@ -64,7 +64,7 @@ async function main() {
   const { tools, rows, solve, exported } = await openGallery(options.only);
   mkdirSync(options.out, { recursive: true });
   const browser = await launchBrowser();
-  const page = await browser.newPage({ viewport: { width: 1320, height: 800 } });
+  const page = await browser.newPage({ viewport: { width: 1320, height: 100 } });
   const faults = [];
   const pictures = [];
   try {

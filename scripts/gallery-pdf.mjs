@@ -11,7 +11,7 @@ import { exitWith, freePort, StepError, TOP } from './lib/run.mjs';
 
 const PATIENCE_MS = 600_000;
 /** Dots an inch of the sheets: enough to see overlaps and cut words. */
-const SHEET_DENSITY = 50;
+const SHEET_DENSITY = 48;
 
 const { values: options } = parseArgs({
   options: {

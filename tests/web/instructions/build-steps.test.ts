@@ -67,7 +67,7 @@ describe('building steps', () => {
       ['32316', 1],
     ]);
     expect(steps[2]?.loose).toEqual([]);
-    expect(steps[2]?.subgroups).toEqual([1]);
+    expect(steps[2]?.putIns.map(({ group, count }) => [group, count])).toEqual([[1, 1]]);
   });
 
   it('show in each step what the same group holds already', () => {

@@ -1,5 +1,43 @@
 import { describe, expect, it } from 'vitest';
-import { wrap } from '../../../web/src/ui/instructions/pdf/paper.ts';
+import {
+  MARGIN,
+  PAPERS,
+  PART_CELL,
+  pageSteps,
+  partsOnPage,
+  stepBoxes,
+  wrap,
+} from '../../../web/src/ui/instructions/pdf/paper.ts';
+
+describe.each(['A4', 'Letter'] as const)('a page of %s', (paper) => {
+  const [width, height] = PAPERS[paper];
+
+  it.each([1, 2])('has room for %i steps, which do not overlap', (count) => {
+    const boxes = stepBoxes(paper, count);
+    expect(boxes).toHaveLength(count);
+    for (const box of boxes) {
+      expect(box.x).toBeGreaterThanOrEqual(MARGIN);
+      expect(box.x + box.width).toBeLessThanOrEqual(width - MARGIN);
+      // The page's number is below.
+      expect(box.y).toBeGreaterThanOrEqual(MARGIN + 9);
+      expect(box.y + box.height).toBeLessThanOrEqual(height - MARGIN);
+    }
+    const [upper, lower] = boxes;
+    expect(upper && lower ? upper.y - (lower.y + lower.height) : 1).toBeGreaterThan(0);
+  });
+
+  it('has whole rows of parts', () => {
+    const rows = partsOnPage(paper) / PART_CELL.columns;
+    expect(Number.isInteger(rows)).toBe(true);
+    expect(40 + rows * PART_CELL.height).toBeLessThan(height - 2 * MARGIN);
+  });
+});
+
+it('every step is on one page', () => {
+  for (const count of [1, 2, 7]) {
+    expect(pageSteps(count).flat()).toEqual(Array.from({ length: count }, (_, i) => i));
+  }
+});
 
 const width = (line: string) => line.length;
 

@@ -3,6 +3,14 @@ import { countParts, type PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
 import type { Addition, AssemblyGroup, AssemblyPlan, AssemblyStep } from './assembly-plan.ts';
 
+/** A finished subassembly that a step puts in, or several that are alike. */
+export interface PutIn {
+  readonly group: number;
+  readonly count: number;
+  /** Parts of the first. */
+  readonly parts: readonly number[];
+}
+
 /** One page of the instructions. */
 export interface BuildStep {
   /** From 1, through all groups in the order of building. */
@@ -16,8 +24,7 @@ export interface BuildStep {
   readonly adds: readonly Addition[];
   /** What to take from the heap for one building of this step. */
   readonly loose: readonly PartCount[];
-  /** Subassemblies that are put in. */
-  readonly subgroups: readonly number[];
+  readonly putIns: readonly PutIn[];
   readonly stable: boolean;
 }
 
@@ -87,10 +94,21 @@ export function buildSteps(plan: AssemblyPlan, model: Model): BuildStep[] {
         name: '',
         parts: loose.flatMap((index) => model.parts[index] ?? []),
       }),
-      subgroups: step.adds.flatMap((add) => (add.subgroup === null ? [] : [add.subgroup])),
+      putIns: putInsOf(step.adds),
       stable: step.stable,
     };
   });
+}
+
+function putInsOf(adds: readonly Addition[]): PutIn[] {
+  const found = new Map<number, PutIn>();
+  for (const { subgroup: group, parts } of adds) {
+    if (group !== null) {
+      const known = found.get(group);
+      found.set(group, known ? { ...known, count: known.count + 1 } : { group, count: 1, parts });
+    }
+  }
+  return [...found.values()];
 }
 
 /**

@@ -6,6 +6,7 @@ import type { Model } from '../../model/model.ts';
 import {
   cameraFor,
   type DrawingCamera,
+  ISO_OUT,
   type PictureSize,
   projectPoint,
 } from '../../view/drawing/drawing-camera.ts';
@@ -98,6 +99,23 @@ function arrowEnds(addition: Addition, model: Model, shelf: MeshShelf): (readonl
   const back = Math.min(...corners.map((p) => dot(p, direction))) - dot(middle, direction);
   const at = (t: number): Vec3 => add(middle, scale(direction, t));
   return [[at(back - ARROW), at(back - 0.15)]];
+}
+
+/** A finished subassembly alone, as the reader sees it go in. */
+export function drawApart(
+  book: Book,
+  index: number,
+  parts: readonly number[],
+  size: PictureSize,
+): Picture {
+  const { model, shelf, directions } = book;
+  const shown = parts.flatMap((i) => {
+    const part = model.parts[i];
+    return part ? [drawn(part)] : [];
+  });
+  const points = shown.flatMap((part) => shelf.corners(part));
+  const out = directions[index] ?? ISO_OUT;
+  return drawPicture(shown, cameraFor(points, out, { maxScale: 40, ...size }), shelf);
 }
 
 /** One part alone, for lists. */

@@ -1,11 +1,12 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { type BuildStep, timesOf } from '../../instructions/build-steps.ts';
+import type { BuildStep } from '../../instructions/build-steps.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { Icon } from '../icon.tsx';
-import { type Book, isTurned } from './book.ts';
+import type { Book } from './book.ts';
 import { instructionWords as words } from './instruction-words.ts';
-import { PartTile } from './part-tile.tsx';
+import { ApartTile, PartTile } from './part-tile.tsx';
 import { StepCanvas } from './step-canvas.tsx';
+import { notesOf, type StepNotes } from './step-notes.ts';
 import { modelKey, readTicks, writeTicks } from './ticks.ts';
 
 const SWIPE = 50;
@@ -120,8 +121,8 @@ function StepHead(props: {
   readonly index: number;
 }) {
   const { book, step, index } = props;
-  const times = timesOf(step.group);
-  const mirrored = step.group.mirrored.filter(Boolean).length;
+  const notes = notesOf(book, index);
+  const [apart, ...more] = notes.apart;
   return (
     <div class="step-head">
       <div class="step-number" aria-live="polite">
@@ -130,45 +131,40 @@ function StepHead(props: {
           {fillWords(words.step, { n: step.number, all: book.steps.length })}
         </span>
       </div>
-      {step.group.id !== 0 ? (
+      {apart ? (
         <p class="step-apart" data-testid="apart">
-          {fillWords(words.sub, { n: step.groupStep, all: step.groupSteps })}
-          {times > 1 ? (
-            <strong title={fillWords(words.timesLabel, { n: times })}>
-              {fillWords(words.times, { n: times })}
-            </strong>
-          ) : null}
-          {mirrored > 0 ? <span>{fillWords(words.mirrored, { n: mirrored })}</span> : null}
+          {apart}
+          {more.map((note) => (
+            <strong key={note}>{note}</strong>
+          ))}
         </p>
       ) : null}
       <ul class="parts-box" aria-label={words.box}>
         {step.loose.map((row) => (
           <PartTile key={`${row.part}/${row.color}`} row={row} shelf={book.shelf} />
         ))}
-        {step.subgroups.length > 0 ? (
-          <li class="parts-note">
-            {step.subgroups.length > 1 ? `${step.subgroups.length}× ` : ''}
-            {words.putIn}
-          </li>
-        ) : null}
+        {step.putIns.map((put) => (
+          <ApartTile key={put.group} book={book} index={index} put={put} />
+        ))}
       </ul>
-      <Notes book={book} step={step} index={index} />
+      <Notes notes={notes} />
     </div>
   );
 }
 
-function Notes(props: { readonly book: Book; readonly step: BuildStep; readonly index: number }) {
-  const { book, step, index } = props;
-  const notes = [
-    isTurned(book, index) ? words.turned : null,
-    step.stable ? null : words.unstable,
-    step.adds.some((add) => add.forced) ? words.forced : null,
-  ].filter((note) => note !== null);
-  return notes.length > 0 ? (
+function Notes({ notes }: { readonly notes: StepNotes }) {
+  const { turned, warnings } = notes;
+  return turned || warnings.length > 0 ? (
     <ul class="step-notes">
-      {notes.map((note) => (
+      {turned ? (
+        <li>
+          <Icon name="rotate" />
+          {turned}
+        </li>
+      ) : null}
+      {warnings.map((note) => (
         <li key={note}>
-          <Icon name={note === words.turned ? 'rotate' : 'alert'} />
+          <Icon name="alert" />
           {note}
         </li>
       ))}

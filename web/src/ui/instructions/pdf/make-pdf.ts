@@ -6,7 +6,6 @@ import {
   rgb,
   StandardFonts,
 } from 'pdf-lib';
-import { timesOf } from '../../../instructions/build-steps.ts';
 import { modelBounds } from '../../../model/bounds.ts';
 import { colourHex, colourName } from '../../../model/colours.ts';
 import { countParts, modelMass, type PartCount } from '../../../model/counts.ts';
@@ -16,17 +15,19 @@ import { drawn } from '../../../view/drawing/drawn-part.ts';
 import { drawPicture, type Picture } from '../../../view/drawing/picture.ts';
 import { pictureBlob } from '../../share/picture-blob.ts';
 import { formatNumber } from '../../text/language.ts';
-import { type Book, isTurned } from '../book.ts';
+import type { Book } from '../book.ts';
 import { instructionWords as words } from '../instruction-words.ts';
 import { arrowPath } from '../step-canvas.tsx';
-import { drawPartPicture, drawStep } from '../step-picture.ts';
+import { notesOf } from '../step-notes.ts';
+import { drawApart, drawPartPicture, drawStep } from '../step-picture.ts';
 import {
   MARGIN,
   PAPERS,
+  PART_CELL,
   type PageBox,
   type PaperName,
   pageSteps,
-  partsGrid,
+  partsOnPage,
   printable,
   stepBoxes,
   wrap,
@@ -34,6 +35,8 @@ import {
 
 /** Pixels of a picture for one point: 200 dots an inch. */
 const DENSITY = 200 / 72;
+/** Pixels of a part's picture. */
+const PART_PICTURE = { width: 396, height: 252, margin: 6 } as const;
 const INK = rgb(0.1, 0.11, 0.14);
 const QUIET = rgb(0.34, 0.37, 0.42);
 const BOX = rgb(0.89, 0.93, 0.99);
@@ -67,16 +70,16 @@ export async function makePdf(
     bold: await pdf.embedFont(StandardFonts.HelveticaBold),
     parts: new Map(),
   };
-  const { columns, rows } = partsGrid(paper);
   const list = countParts(book.model);
-  const listPages = Math.ceil(list.length / (columns * rows));
+  const fit = partsOnPage(paper);
+  const listPages = Math.ceil(list.length / fit);
   const steps = pageSteps(book.steps.length);
   const all = 1 + listPages + steps.length;
   onPage(1, all);
   await coverPage(press);
   for (let i = 0; i < listPages; i++) {
     onPage(2 + i, all);
-    await partsPage(press, list.slice(i * columns * rows, (i + 1) * columns * rows));
+    await partsPage(press, list.slice(i * fit, (i + 1) * fit));
   }
   for (const [i, indices] of steps.entries()) {
     onPage(2 + listPages + i, all);
@@ -164,8 +167,7 @@ async function partImage(press: Press, row: PartCount): Promise<PDFImage> {
   if (known) {
     return known;
   }
-  const size = { width: 300, height: 200, margin: 6 };
-  const picture = drawPartPicture(row.part, colourHex(row.color), press.book.shelf, size);
+  const picture = drawPartPicture(row.part, colourHex(row.color), press.book.shelf, PART_PICTURE);
   const image = await embed(press, picture);
   press.parts.set(key, image);
   return image;
@@ -180,23 +182,22 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
     size: 22,
     strong: true,
   });
-  const { columns } = partsGrid(press.paper);
-  const cell = (width - 2 * MARGIN) / columns;
+  const cell = (width - 2 * MARGIN) / PART_CELL.columns;
   for (const [i, row] of list.entries()) {
-    const x = MARGIN + (i % columns) * cell;
-    const y = height - MARGIN - 60 - 104 * (Math.floor(i / columns) + 1) + 104;
-    const image = await partImage(press, row);
-    page.drawImage(image, { x: x + 4, y: y - 62, width: 93, height: 62 });
-    write(press, page, `${row.count}x`, { x: x + 4, y: y - 78, size: 14, strong: true });
-    write(press, page, row.part, { x: x + 40, y: y - 78, size: 10 });
+    const x = MARGIN + 4 + (i % PART_CELL.columns) * cell;
+    const top = height - MARGIN - 40 - PART_CELL.height * Math.floor(i / PART_CELL.columns);
+    const y = top - PART_CELL.picture.height;
+    page.drawImage(await partImage(press, row), { x, y, ...PART_CELL.picture });
+    const count = write(press, page, `${row.count}x`, { x, y: y - 18, size: 18, strong: true });
+    write(press, page, row.part, { x: x + count + 10, y: y - 18, size: 11 });
     const name = press.book.shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? '';
     // The colour first: what is cut off of a long name says less.
     const title = `${colourName(row.color)}: ${name}`;
-    const lines = wrap(printable(title), cell - 10, (line) =>
-      press.plain.widthOfTextAtSize(line, 8),
+    const lines = wrap(printable(title), cell - 12, (line) =>
+      press.plain.widthOfTextAtSize(line, 10),
     );
     for (const [k, line] of lines.entries()) {
-      write(press, page, line, { x: x + 4, y: y - 88 - 9 * k, size: 8, quiet: true });
+      write(press, page, line, { x, y: y - 31 - 11 * k, size: 10, quiet: true });
     }
   }
 }
@@ -204,15 +205,16 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
 async function stepsPage(press: Press, indices: readonly number[]): Promise<void> {
   const [width, height] = PAPERS[press.paper];
   const page = press.pdf.addPage([width, height]);
-  const boxes = stepBoxes(press.paper);
+  const boxes = stepBoxes(press.paper, indices.length);
   for (const [i, index] of indices.entries()) {
     const box = boxes[i];
     if (box) {
       await stepBox(press, page, index, box);
     }
   }
-  if (indices.length > 1) {
-    const y = boxes[0].y - 8;
+  const [upper, lower] = boxes;
+  if (upper && lower) {
+    const y = upper.y - 8;
     page.drawLine({
       start: { x: MARGIN, y },
       end: { x: width - MARGIN, y },
@@ -269,10 +271,11 @@ async function partsBox(press: Press, page: PDFPage, index: number, box: PageBox
   });
   const left = box.x + Math.max(60, number + 14);
   const perRow = Math.max(1, Math.floor((box.x + box.width - left) / 74));
-  const rows = Math.max(1, Math.ceil(step.loose.length / perRow));
+  const tiles = await tilesOf(press, index);
+  const rows = Math.max(1, Math.ceil(tiles.length / perRow));
   const height = rows * 52 + 6;
-  if (step.loose.length > 0) {
-    const columns = Math.min(perRow, step.loose.length);
+  if (tiles.length > 0) {
+    const columns = Math.min(perRow, tiles.length);
     page.drawRectangle({
       x: left,
       y: top - height,
@@ -282,20 +285,14 @@ async function partsBox(press: Press, page: PDFPage, index: number, box: PageBox
       borderColor: rgb(0.6, 0.7, 0.86),
       borderWidth: 0.7,
     });
-    for (const [i, row] of step.loose.entries()) {
+    for (const [i, { image, count }] of tiles.entries()) {
       const x = left + 4 + (i % perRow) * 74;
       const y = top - 4 - Math.floor(i / perRow) * 52;
-      page.drawImage(await partImage(press, row), {
-        x,
-        y: y - 40,
-        width: 60,
-        height: 40,
-        blendMode: MULTIPLY,
-      });
-      write(press, page, `${row.count}x`, { x: x + 2, y: y - 48, size: 11, strong: true });
+      page.drawImage(image, { x, y: y - 40, width: 63, height: 40, blendMode: MULTIPLY });
+      write(press, page, `${count}x`, { x: x + 2, y: y - 48, size: 11, strong: true });
     }
   }
-  const notes = notesOf(book, index);
+  const notes = linesOf(book, index);
   notes.forEach((note, i) => {
     page.drawText(printable(note), {
       x: box.x,
@@ -308,27 +305,31 @@ async function partsBox(press: Press, page: PDFPage, index: number, box: PageBox
   return height + 15 * notes.length;
 }
 
+/** What a step takes: parts, and subassemblies that are finished. */
+async function tilesOf(press: Press, index: number): Promise<{ image: PDFImage; count: number }[]> {
+  const step = press.book.steps[index];
+  const tiles: { image: PDFImage; count: number }[] = [];
+  for (const row of step?.loose ?? []) {
+    tiles.push({ image: await partImage(press, row), count: row.count });
+  }
+  for (const { parts, count } of step?.putIns ?? []) {
+    const picture = drawApart(press.book, index, parts, PART_PICTURE);
+    tiles.push({ image: await embed(press, picture), count });
+  }
+  return tiles;
+}
+
 /** White of a part's picture vanishes on the coloured box. */
 const MULTIPLY = 'Multiply' as NonNullable<Parameters<PDFPage['drawImage']>[1]>['blendMode'] &
   string;
 
-function notesOf(book: Book, index: number): string[] {
-  const step = book.steps[index];
-  if (!step) {
-    return [];
-  }
-  const times = timesOf(step.group);
-  const mirrored = step.group.mirrored.filter(Boolean).length;
-  const apart = [
-    fillWords(words.sub, { n: step.groupStep, all: step.groupSteps }),
-    ...(times > 1 ? [fillWords(words.timesLabel, { n: times })] : []),
-    ...(mirrored > 0 ? [fillWords(words.mirrored, { n: mirrored })] : []),
-  ].join('  ·  ');
+function linesOf(book: Book, index: number): string[] {
+  const { apart, turned, warnings } = notesOf(book, index);
+  const put = book.steps[index]?.putIns.length ?? 0;
   return [
-    ...(step.group.id === 0 ? [] : [apart]),
-    ...(step.subgroups.length > 0 ? [words.putIn] : []),
-    ...(isTurned(book, index) ? [words.turned] : []),
-    ...(step.stable ? [] : [words.unstable]),
-    ...(step.adds.some((add) => add.forced) ? [words.forced] : []),
+    ...(apart.length > 0 ? [apart.join('  ·  ')] : []),
+    ...(put > 0 ? [words.putIn] : []),
+    ...(turned ? [turned] : []),
+    ...warnings,
   ];
 }

@@ -25,27 +25,32 @@ export interface PageBox {
   readonly height: number;
 }
 
-/** Two steps a page: the upper and the lower half between head and foot. */
-export function stepBoxes(paper: PaperName): readonly [PageBox, PageBox] {
+/** Where the steps of a page are: one has all of it, two have its upper and lower half. */
+export function stepBoxes(paper: PaperName, count: number): readonly PageBox[] {
   const [width, height] = PAPERS[paper];
   const inner = height - 2 * MARGIN - 16;
   const half = inner / 2;
-  const box = (y: number): PageBox => ({
+  const box = (y: number, high: number): PageBox => ({
     x: MARGIN,
     y,
     width: width - 2 * MARGIN,
-    height: half - 8,
+    height: high - 8,
   });
-  return [box(MARGIN + 16 + half + 8), box(MARGIN + 16)];
+  return count === 1
+    ? [box(MARGIN + 16, inner)]
+    : [box(MARGIN + 16 + half + 8, half), box(MARGIN + 16, half)];
 }
 
-/** How many rows and columns of the parts list fit a page. */
-export function partsGrid(paper: PaperName): { readonly columns: number; readonly rows: number } {
+/** Three parts in a row can be told apart at arm's length, points. */
+export const PART_CELL = { columns: 3, height: 140, picture: { width: 132, height: 84 } } as const;
+
+/** How many parts of the list fit a page. */
+export function partsOnPage(paper: PaperName): number {
   const [, height] = PAPERS[paper];
-  return { columns: 4, rows: Math.floor((height - 2 * MARGIN - 60) / 104) };
+  return PART_CELL.columns * Math.floor((height - 2 * MARGIN - 60) / PART_CELL.height);
 }
 
-/** Pages of the book: which steps share one. A subassembly begins on a page of its own half. */
+/** Pages of the book: which steps share one. */
 export function pageSteps(count: number): number[][] {
   const pages: number[][] = [];
   for (let i = 0; i < count; i += 2) {

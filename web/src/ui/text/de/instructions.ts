@@ -10,7 +10,6 @@ export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
   tabsLabel: 'Was gezeigt wird',
   step: 'Schritt {n} von {all}',
   sub: 'Getrennt bauen: {n} von {all}',
-  times: '{n}×',
   timesLabel: '{n}-mal bauen',
   mirrored: '{n} davon gespiegelt',
   putIn: 'Das getrennt Gebaute einsetzen',

@@ -10,7 +10,6 @@ export const INSTRUCTIONS_EN = {
   tabsLabel: 'What to show',
   step: 'Step {n} of {all}',
   sub: 'Build apart: {n} of {all}',
-  times: '{n}×',
   timesLabel: 'Build this {n} times',
   mirrored: '{n} of them mirrored',
   putIn: 'Put in the part built apart',
