@@ -1,4 +1,5 @@
 import type { AxisName } from '../../geometry/vec.ts';
+import { fillWords } from '../../tools/tool-words.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -9,6 +10,11 @@ const CUTS: readonly (readonly [string, AxisName, string])[] = [
   ['cutZ', 'z', text.commands.cutZ],
 ];
 
+const STEPS: readonly (readonly [string, number, string, string])[] = [
+  ['partNext', 1, text.commands.partNext, 'N'],
+  ['partPrevious', -1, text.commands.partPrevious, 'Shift+N'],
+];
+
 /** How far a neighbour's middle may be from the picked part's, modules: what touches it is within. */
 const NEAR = 1.6;
 
@@ -17,6 +23,17 @@ export function inspectCommands(actions: Actions): Command[] {
   const { state } = actions;
   const model = () => state.shown.value !== null;
   return [
+    ...STEPS.map(
+      ([id, step, label, shortcut]): Command => ({
+        id,
+        label,
+        group: 'view',
+        icon: 'select',
+        shortcut,
+        when: model,
+        run: () => pickBeside(actions, step),
+      }),
+    ),
     ...isolateCommands(actions),
     ...CUTS.map(
       ([id, axis, label]): Command => ({
@@ -30,6 +47,19 @@ export function inspectCommands(actions: Actions): Command[] {
       }),
     ),
   ];
+}
+
+/** Picks the part after or before the picked one, round and round, and says which it is. */
+function pickBeside({ state, announce }: Actions, step: number): void {
+  const parts = state.shown.value?.model.parts ?? [];
+  const now = state.pickedPart.value ?? (step > 0 ? -1 : 0);
+  const index = (now + step + parts.length) % Math.max(1, parts.length);
+  const id = parts[index]?.part;
+  if (id !== undefined) {
+    state.pickedPart.value = index;
+    const name = state.result.value?.rows.find((row) => row.part === id)?.name ?? id;
+    announce(fillWords(text.part.picked, { i: index + 1, all: parts.length, name }));
+  }
 }
 
 function isolateCommands(actions: Actions): Command[] {

@@ -82,6 +82,8 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     cutX: 'Längs X aufschneiden',
     cutY: 'Längs Y aufschneiden',
     cutZ: 'Längs Z aufschneiden',
+    partNext: 'Nächstes Teil wählen',
+    partPrevious: 'Voriges Teil wählen',
     isolateSame: 'Nur Teile dieser Art zeigen',
     isolateNear: 'Nur dieses Teil und seine Nachbarn zeigen',
     isolateNone: 'Alle Teile zeigen',

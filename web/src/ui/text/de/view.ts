@@ -26,6 +26,7 @@ export const VIEW_DE: Words<typeof VIEW_EN> = {
   part: {
     title: 'Teil',
     number: 'Nummer',
+    picked: 'Teil {i} von {all}: {name}',
     ofModel: '{n} von {all}',
     toggle: 'Nur diese zeigen, oder wieder alle',
     isolateSame: 'Diese Art',

@@ -81,6 +81,8 @@ export const COMMANDS_EN = {
     cutX: 'Cut open along X',
     cutY: 'Cut open along Y',
     cutZ: 'Cut open along Z',
+    partNext: 'Pick the next part',
+    partPrevious: 'Pick the part before',
     isolateSame: 'Show only parts of this kind',
     isolateNear: 'Show only this part and what it is joined to',
     isolateNone: 'Show all parts',

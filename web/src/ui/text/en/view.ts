@@ -25,6 +25,7 @@ export const VIEW_EN = {
   part: {
     title: 'Part',
     number: 'Number',
+    picked: 'Part {i} of {all}: {name}',
     ofModel: '{n} of {all}',
     toggle: 'Show these alone, or all again',
     isolateSame: 'This kind',

@@ -1,0 +1,206 @@
+// Everything that can be done can be done from the keyboard.
+import type { Page } from '@playwright/test';
+import { signal } from '@preact/signals';
+import { commandTable } from '../web/src/app/commands.ts';
+import { PageController } from '../web/src/app/page-controller.ts';
+import { Catalogue } from '../web/src/model/catalogue.ts';
+import { PREFERENCE_DEFAULTS } from '../web/src/state/preferences.ts';
+import { SketchStore } from '../web/src/state/store.ts';
+import { linkOf } from './helpers/links.ts';
+import { expect, openPage, test } from './helpers/test.ts';
+
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
+/** Every command can be done with all of it selected, and every one that edits changes something. */
+const SKETCH = {
+  format: 'technic-sketch',
+  version: 1,
+  name: 'A bit of everything',
+  lines: [
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [0, 0, 0], to: [0, 6, 0] },
+    { from: [0, 6, 0], to: [0, 10, 0] },
+    { from: [8, 0, 0], to: [8, 0, 4], holeAxis: 'x' },
+  ],
+  joints: [{ at: [0, 0, 0], axis: [0, 0, 1] }],
+  keepOut: [{ min: [3, 3, 3], max: [4, 4, 4] }],
+  ground: -3,
+} as const;
+
+/** Commands of these groups change the sketch, each once, but for those in the second list. */
+const CHANGING = ['Edit', 'Annotate'];
+const NOT_CHANGING = [
+  'undo',
+  'redo',
+  'copy',
+  'selectAll',
+  'selectConnected',
+  'selectNext',
+  'selectPrevious',
+  'selectChain',
+  'tool.array',
+  'tool.joint',
+  'tool.keepOut',
+];
+/** These end what the others need, so they come last; the language is the very last. */
+const LAST = [
+  'generate',
+  'newSeed',
+  'searchLonger',
+  'new',
+  'languageEn',
+  'languageAuto',
+  'languageDe',
+];
+/** There only while a search runs (access.spec.ts), with something undone or hidden. */
+const IN_OTHER_STATES = ['cancel', 'redo', 'isolateNone'];
+
+interface Row {
+  readonly id: string;
+  readonly label: string;
+  readonly group: string;
+}
+
+const options = (page: Page) => page.locator('.palette [role=option]');
+
+async function openPalette(page: Page): Promise<Row[]> {
+  await page.keyboard.press('Control+k');
+  await expect(page.getByRole('dialog')).toBeVisible();
+  return options(page).evaluateAll((rows) =>
+    rows.map((option) => ({
+      id: option.id.replace(/^command-/, ''),
+      label: option.querySelector('.palette-label')?.textContent ?? '',
+      group: option.querySelector('.quiet')?.textContent ?? '',
+    })),
+  );
+}
+
+/** Back to the drawing from whatever a command has opened. */
+async function leave(page: Page): Promise<void> {
+  if (await page.locator('.room').isVisible()) {
+    await page.getByRole('button', { name: 'Back to the drawing' }).press('Enter');
+    await expect(page.locator('.room')).toBeHidden();
+  }
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toBeHidden();
+}
+
+test('every command is found in the palette by its name and runs', async ({ page }) => {
+  await page.addInitScript(() => {
+    if (localStorage.getItem('liftarm/preferences') === null) {
+      localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
+    }
+    window.print = () => undefined;
+  });
+  page.on('filechooser', () => undefined);
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openPage(page, `/${await linkOf(SKETCH as never)}`);
+  await page.keyboard.press('Control+Enter');
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
+  const done = new Set<string>();
+  const run = async ({ id, label, group }: Row) => {
+    await page.keyboard.press('Control+a');
+    await page.keyboard.press('n');
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Search for a command' }).fill(label);
+    // Others may have the same words, but none goes before the one that has them in this order.
+    await expect(options(page).first(), label).toHaveId(`command-${id}`);
+    // A page is loaded again for its language.
+    const loaded = id.startsWith('language') ? page.waitForEvent('load') : null;
+    await page.keyboard.press('Enter');
+    await loaded;
+    done.add(id);
+    await leave(page);
+    if (CHANGING.includes(group) && !NOT_CHANGING.includes(id)) {
+      await page.keyboard.press('Control+z');
+    }
+    if (id === 'undo') {
+      await page.keyboard.press('Control+Shift+z');
+    }
+  };
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('n');
+  const all = await openPalette(page);
+  await leave(page);
+  const rank = ({ id }: Row) => LAST.indexOf(id);
+  for (const row of all.sort((a, b) => rank(a) - rank(b))) {
+    await run(row);
+  }
+  const table = commandTable(
+    new PageController({
+      store: new SketchStore(),
+      preferences: signal(PREFERENCE_DEFAULTS),
+      catalogue: new Catalogue([]),
+      client: {} as never,
+    }),
+  );
+  const missing = table.all.map(({ id }) => id).filter((id) => !done.has(id));
+  expect(missing.sort()).toEqual([...IN_OTHER_STATES].sort());
+});
+
+/** What Tab does not come by, and what does not show that it has the focus. */
+async function unreached(page: Page): Promise<string[]> {
+  await page.evaluate(() => {
+    const seen = new Set<Element>();
+    const dim = new Set<Element>();
+    Object.assign(window, { seen, dim });
+    (document.activeElement as HTMLElement | null)?.blur();
+    const outlined = (element: Element | null | undefined) => {
+      const style = element ? getComputedStyle(element) : null;
+      return style !== null && style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) > 0;
+    };
+    document.addEventListener('focusin', ({ target }) => {
+      const at = target as Element;
+      seen.add(at);
+      // A hidden radio button shows it on its words or on its box.
+      const shown = [at, at.nextElementSibling, at.parentElement, at.parentElement?.parentElement];
+      if (!shown.some(outlined)) {
+        dim.add(at);
+      }
+    });
+  });
+  const controls = 'a[href], button, input, select, textarea, summary, [tabindex="0"]';
+  const count = await page.locator(controls).count();
+  for (let i = 0; i < count + 5; i++) {
+    await page.keyboard.press('Tab');
+  }
+  return page.evaluate((selector) => {
+    const { seen, dim } = window as unknown as { seen: Set<Element>; dim: Set<Element> };
+    const radio = (element: Element) =>
+      element instanceof HTMLInputElement && element.type === 'radio' ? element.name : null;
+    const groups = new Set([...seen].map(radio));
+    const missed = [...document.querySelectorAll(selector)].filter(
+      (element) =>
+        element.checkVisibility({ visibilityProperty: true }) &&
+        !element.matches(':disabled') &&
+        element.closest('[inert]') === null &&
+        !seen.has(element) &&
+        !(radio(element) !== null && groups.has(radio(element))),
+    );
+    return [
+      ...missed.map((element) => `not reached: ${element.outerHTML.slice(0, 160)}`),
+      ...[...dim].map((element) => `focus not shown: ${element.outerHTML.slice(0, 160)}`),
+    ];
+  }, controls);
+}
+
+test('Tab comes by every control of the drawing and shows where it is', async ({ page }) => {
+  await openPage(page, `/${await linkOf(SKETCH as never)}`);
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
+  await page.locator('details').evaluateAll((sections) => {
+    for (const section of sections) {
+      (section as HTMLDetailsElement).open = true;
+    }
+  });
+  expect(await unreached(page)).toEqual([]);
+});
+
+for (const room of ['instructions', 'share', 'gallery', 'lessons', 'lessons&lesson=teacher']) {
+  test(`Tab comes by every control of the room ${room}`, async ({ page }) => {
+    await page.goto(`./?room=${room}${await linkOf(SKETCH as never)}`);
+    await expect(page.locator('.room-body button').first()).toBeVisible({ timeout: 60_000 });
+    await expect(page.getByText('Loading…')).toBeHidden();
+    expect(await unreached(page)).toEqual([]);
+  });
+}
