@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "layout/bent_beam.h"
 
 namespace liftarm::design {
 
@@ -88,38 +89,42 @@ class Builder {
     }
   }
 
-  //! An L beam from its two arms: the part's long arm runs along its y to the corner, the short one
-  //! from there along its x (32526 as LDraw has it).
-  void addCorner(int runId, const Beam& arm) {
+  //! A bent beam from its two arms, the one on run `runId` and its mate.
+  void addBent(int runId, const Beam& arm) {
     const std::vector<Beam>& others = layout_.covers[at(arm.mate)].beams;
     const auto mate = std::find_if(others.begin(), others.end(), [&](const Beam& beam) {
       return layout::isOneBeam(runId, arm, arm.mate, beam);
     });
-    LIFTARM_CHECK(mate != others.end(), "an L beam has both its arms");
-    const bool mineIsLong = arm.holes > mate->holes;
-    const Vec3 mine = awayFromCorner(runId, arm);
-    const Vec3 theirs = awayFromCorner(arm.mate, *mate);
-    const Vec3 x = mineIsLong ? theirs : mine;
-    const Vec3 y = -(mineIsLong ? mine : theirs);
-    const Mat3 rotation = lattice::fromColumns(x, y, lattice::cross(x, y));
-    const parts::Part& part = catalogued(kCornerBeam);
-    const int index = layout::cornerIndex(graph_, runId, arm.mate);
+    LIFTARM_CHECK(mate != others.end(), "a bent beam has both its arms");
+    const layout::BentBeam& bent = layout::bentBeams()[at(arm.form)];
     const guide::GuideRun& run = graph_.runs[at(runId)];
-    const Vec3 corner =
-        layout::holePosition(graph_, run, layout_.covers[at(runId)].axis, index, arm.layer);
-    const double reach = static_cast<double>(std::max(arm.holes, mate->holes) - 1);
-    parts_.push_back({part.id,
-                      part.color,
-                      {corner - reach * y, rotation},
-                      components_.ofRun[at(runId)],
-                      arm.layer,
-                      run.piece});
-  }
-
-  //! Direction of an L beam's arm, away from its corner.
-  [[nodiscard]] Vec3 awayFromCorner(int runId, const Beam& arm) const {
-    const Vec3 direction = graph_.runs[at(runId)].direction;
-    return layout::cornerIndex(graph_, runId, arm.mate) == arm.start ? direction : -direction;
+    const int corner = layout::cornerIndex(graph_, runId, arm.mate);
+    const Vec3 centre =
+        layout::holePosition(graph_, run, layout_.covers[at(runId)].axis, corner, arm.layer);
+    const int mateCorner = layout::cornerIndex(graph_, arm.mate, runId);
+    // Which arm is which, and which way each points, is what gives back these two beams.
+    for (const int mine : {0, 1}) {
+      for (const int way : {1, -1}) {
+        for (const int mateWay : {1, -1}) {
+          const Vec3 along = static_cast<double>(way) * run.direction;
+          const Vec3 mateAlong = static_cast<double>(mateWay) * graph_.runs[at(arm.mate)].direction;
+          const Vec3 first = mine == 0 ? along : mateAlong;
+          const Vec3 second = mine == 0 ? mateAlong : along;
+          if (layout::bendsAlong(bent, first, second) &&
+              bent.arms[at(mine)].laidAt(corner, way, arm.layer).sameBody(arm) &&
+              bent.arms[at(1 - mine)].laidAt(mateCorner, mateWay, arm.layer).sameBody(*mate)) {
+            parts_.push_back({bent.part,
+                              catalogued(bent.part).color,
+                              layout::poseOf(bent, centre, first, second),
+                              components_.ofRun[at(runId)],
+                              arm.layer,
+                              run.piece});
+            return;
+          }
+        }
+      }
+    }
+    LIFTARM_CHECK(false, "the arms are those of the bent beam");
   }
 
   void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {
@@ -141,7 +146,7 @@ class Builder {
       if (beam.mate < 0) {
         addBeam(runId, beam);
       } else if (runId < beam.mate) {
-        addCorner(runId, beam);
+        addBent(runId, beam);
       }
     }
     for (std::size_t b = 1; b < cover.beams.size(); ++b) {

@@ -23,7 +23,4 @@ model::Model buildModel(const layout::LayoutProblem& problem,
 //! them. \pre the search uses the length.
 const parts::Part& straightBeamPart(int holes);
 
-//! \brief LDraw number of the L beam that the search lays at corners.
-inline constexpr std::string_view kCornerBeam = "32526";
-
 }  // namespace liftarm::design

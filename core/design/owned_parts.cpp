@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "design/model_builder.h"
+#include "layout/bent_beam.h"
 #include "parts/catalogue.h"
 
 namespace liftarm::design {
@@ -54,10 +55,17 @@ base::Result<bool> limitSearch(Settings* settings) {
     return invalid("set.owned: no straight beam is left; own at least one kind");
   }
   annealing.lengths = lengths;
-  if (const auto limit = owned.find(std::string(kCornerBeam)); limit != owned.end()) {
-    annealing.supply.corners = limit->second;
-    annealing.parts.corners = annealing.parts.corners && limit->second > 0;
+  std::vector<int> bends;
+  for (const int form : annealing.bends) {
+    const auto limit = owned.find(layout::bentBeams()[static_cast<std::size_t>(form)].part);
+    if (limit == owned.end() || limit->second > 0) {
+      bends.push_back(form);
+      if (limit != owned.end()) {
+        annealing.supply.bent.emplace_back(form, limit->second);
+      }
+    }
   }
+  annealing.bends = bends;
   std::vector<std::string> connectors;
   for (const std::string& id : settings->connectors) {
     const auto limit = owned.find(id);

@@ -130,6 +130,25 @@ std::string textOf(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+base::Result<bool> applyBent(Settings* settings, const std::vector<std::string>& items) {
+  std::vector<int> bends;
+  for (const std::string& id : items) {
+    const int form = layout::bentBeamIndex(id);
+    if (form < 0) {
+      std::string known;
+      for (const layout::BentBeam& bent : layout::bentBeams()) {
+        known += (known.empty() ? "" : ", ") + bent.part;
+      }
+      return invalid("set.bent: " + id + " is no bent beam; use some of " + known);
+    }
+    bends.push_back(form);
+  }
+  std::sort(bends.begin(), bends.end());
+  bends.erase(std::unique(bends.begin(), bends.end()), bends.end());
+  settings->annealing.bends = bends;
+  return true;
+}
+
 base::Result<bool> applyList(Settings* settings, const std::string& key, const json& value) {
   const std::vector<std::string> items = splitList(textOf(value));
   if (key == "connectors") {
@@ -148,6 +167,9 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
     }
     settings->connectors = items;
     return true;
+  }
+  if (key == "bent") {
+    return applyBent(settings, items);
   }
   const std::vector<int> known{2, 3, 5, 6, 7, 9, 11, 13, 15};
   std::vector<int> lengths;
@@ -170,7 +192,7 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
 }
 
 std::string knownKeys() {
-  std::string keys = "connectors, lengths, owned.PARTID";
+  std::string keys = "bent, connectors, lengths, owned.PARTID";
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
@@ -184,7 +206,7 @@ std::string knownKeys() {
 }
 
 base::Result<bool> applyKey(Settings* settings, const std::string& key, const json& value) {
-  if (key == "connectors" || key == "lengths") {
+  if (key == "bent" || key == "connectors" || key == "lengths") {
     return applyList(settings, key, value);
   }
   const double number = numberOf(value);
@@ -298,6 +320,10 @@ std::string settingsJson(const Settings& settings) {
     weights[std::string(objective::kTerms[i].name)] = settings.annealing.weights[i];
   }
   const search::AnnealingOptions& a = settings.annealing;
+  json bent = json::array();
+  for (const int form : a.bends) {
+    bent.push_back(layout::bentBeams()[static_cast<std::size_t>(form)].part);
+  }
   json parts = json::object();
   for (const SwitchKey& key : kSwitchKeys) {
     parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
@@ -311,6 +337,7 @@ std::string settingsJson(const Settings& settings) {
               {"endTemperature", a.endTemperature},
               {"mechanismParts", settings.mechanismParts},
               {"lengths", a.lengths},
+              {"bent", bent},
               {"connectors", settings.connectors},
               {"paper.coolingRate", settings.paper.coolingRate},
               {"search", parts},

@@ -22,19 +22,33 @@ InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b) 
   return pins;
 }
 
-int cornerIndex(const guide::GuidingGraph& graph, int run, int mate) {
-  const guide::GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
-  for (std::size_t j = 0; j < guideRun.junctions.size(); ++j) {
-    const guide::Junction& junction =
-        graph.junctions[static_cast<std::size_t>(guideRun.junctions[j])];
-    const bool meets = std::any_of(junction.incident.begin(),
-                                   junction.incident.end(),
-                                   [&](const guide::Incidence& i) { return i.run == mate; });
-    if (meets) {
-      return guideRun.junctionIndices[j];
+namespace {
+
+//! Place in the run's list of junctions of the one where it meets another; -1: they do not meet.
+int meetingPlace(const guide::GuidingGraph& graph, const guide::GuideRun& run, int mate) {
+  for (std::size_t j = 0; j < run.junctions.size(); ++j) {
+    const guide::Junction& junction = graph.junctions[static_cast<std::size_t>(run.junctions[j])];
+    if (std::any_of(junction.incident.begin(),
+                    junction.incident.end(),
+                    [&](const guide::Incidence& i) { return i.run == mate; })) {
+      return static_cast<int>(j);
     }
   }
   return -1;
+}
+
+}  // namespace
+
+int commonJunction(const guide::GuidingGraph& graph, int run, int mate) {
+  const guide::GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
+  const int place = meetingPlace(graph, guideRun, mate);
+  return place < 0 ? -1 : guideRun.junctions[static_cast<std::size_t>(place)];
+}
+
+int cornerIndex(const guide::GuidingGraph& graph, int run, int mate) {
+  const guide::GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
+  const int place = meetingPlace(graph, guideRun, mate);
+  return place < 0 ? -1 : guideRun.junctionIndices[static_cast<std::size_t>(place)];
 }
 
 int partsOfBeam(int holes) {

@@ -9,19 +9,33 @@
 
 namespace liftarm::layout {
 
-//! \brief A beam in use on a run: holes at the run's nodes start .. start + holes - 1. It may stick
-//! out past the run's ends by one module. It may be one arm of an L beam, whose other arm is on run
-//! `mate`.
+//! \brief A beam in use on a run: round holes at the run's nodes start .. start + holes - 1. It may
+//! stick out past the run's ends by one module. It may be one arm of a bent beam, whose other arm
+//! is on run `mate`.
 struct Beam {
   int start = 0;
   int holes = 2;
   int layer = 0;
   int mate = -1;
+  int form = -1;  //!< arms: index of the bent beam (layout/bent_beam.h)
+  int tail = 0;   //!< arms that end in an axle hole: on which side of the holes it is, -1 or 1
 
   [[nodiscard]] int last() const { return start + holes - 1; }
 
+  //! \brief First node that the beam's body reaches, axle holes included.
+  [[nodiscard]] int solidStart() const { return tail < 0 ? start - 1 : start; }
+
+  //! \brief Last node that the beam's body reaches, axle holes included.
+  [[nodiscard]] int solidLast() const { return tail > 0 ? last() + 1 : last(); }
+
+  //! \brief Whether both are in the same place, whatever they are arms of.
+  [[nodiscard]] bool sameBody(const Beam& other) const {
+    return start == other.start && holes == other.holes && layer == other.layer &&
+           tail == other.tail;
+  }
+
   friend bool operator==(const Beam& a, const Beam& b) {
-    return a.start == b.start && a.holes == b.holes && a.layer == b.layer && a.mate == b.mate;
+    return a.sameBody(b) && a.mate == b.mate && a.form == b.form;
   }
 };
 
@@ -49,8 +63,8 @@ inline Stadium stadiumOf(const guide::GuidingGraph& graph,
                          const guide::GuideRun& run,
                          lattice::Axis axis,
                          const Beam& beam) {
-  return {holePosition(graph, run, axis, beam.start, beam.layer),
-          holePosition(graph, run, axis, beam.last(), beam.layer),
+  return {holePosition(graph, run, axis, beam.solidStart(), beam.layer),
+          holePosition(graph, run, axis, beam.solidLast(), beam.layer),
           axis};
 }
 
@@ -73,10 +87,13 @@ struct InlinePins {
 //! last. \return None when all shared nodes are junctions.
 InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
 
-//! \brief Whether two beams are the arms of one L beam.
+//! \brief Whether two beams are the arms of one bent beam.
 inline bool isOneBeam(int runA, const Beam& a, int runB, const Beam& b) {
   return a.mate == runB && b.mate == runA;
 }
+
+//! \brief Where two runs meet, or -1.
+int commonJunction(const guide::GuidingGraph& graph, int run, int mate);
 
 //! \brief Node index, on run `run`, where it meets run `mate`; -1 when they do not meet.
 int cornerIndex(const guide::GuidingGraph& graph, int run, int mate);

@@ -53,15 +53,15 @@ void Layout::addRun(const RunState& state, int run, int sign) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   for (std::size_t b = 0; b < state.cover.beams.size(); ++b) {
     const Beam& beam = state.cover.beams[b];
-    // Of an L beam's arms the one on the lower run counts the beam, the other leaves out the
+    // Of a bent beam's arms the one on the lower run counts the beam, the other leaves out the
     // corner.
     const bool second = beam.mate >= 0 && beam.mate < run;
     const int holes = second ? beam.holes - 1 : beam.holes;
-    tallies_.beams += second ? 0 : sign * partsOfBeam(beam.holes);
+    tallies_.beams += second ? 0 : sign * (beam.mate >= 0 ? 1 : partsOfBeam(beam.holes));
     tallies_.holes += sign * holes;
     tallies_.layerSquares += sign * holes * beam.layer * beam.layer;
-    tallies_.overhang +=
-        sign * ((beam.start < 0 ? 1 : 0) + (beam.last() > guideRun.edgeCount() ? 1 : 0));
+    tallies_.overhang += sign * ((beam.solidStart() < 0 ? 1 : 0) +
+                                 (beam.solidLast() > guideRun.edgeCount() ? 1 : 0));
     if (b > 0) {
       const Beam& before = state.cover.beams[b - 1];
       const int shared = before.last() - beam.start + 1;
@@ -124,7 +124,7 @@ int Layout::forbiddenOf(int run, const Cover& cover) const {
     return count;
   }
   for (const Beam& beam : cover.beams) {
-    for (int i = beam.start; i <= beam.last(); ++i) {
+    for (int i = beam.solidStart(); i <= beam.solidLast(); ++i) {
       count +=
           forbiddenAt(graph, holePosition(graph, graph.runs[at(run)], cover.axis, i, beam.layer))
               ? 1

@@ -143,8 +143,8 @@ void Layout::fillRun(const RunView& view) {
   const bool foreign = run.piece != localPiece_;
   for (std::size_t b = 0; b < cover.beams.size(); ++b) {
     const Beam& beam = cover.beams[b];
-    if (static_cast<double>(beam.last()) < view.low ||
-        static_cast<double>(beam.start) > view.high) {
+    if (static_cast<double>(beam.solidLast()) < view.low ||
+        static_cast<double>(beam.solidStart()) > view.high) {
       continue;
     }
     const PinnedNodes pinned(run, cover, b);
@@ -155,7 +155,7 @@ void Layout::fillRun(const RunView& view) {
       }
     }
     const Cell shift = scaled(beam.layer, axisStep);
-    // The corner of an L beam is one hole: the arm on the lower run brings it.
+    // The corner of a bent beam is one hole: the arm on the lower run brings it.
     const bool second = beam.mate >= 0 && beam.mate < view.run;
     const int corner = second ? cornerIndex(problem_->graph, view.run, beam.mate) : -2;
     if (view.aligned) {
@@ -167,11 +167,18 @@ void Layout::fillRun(const RunView& view) {
           local_.addHole({cell, cover.axis, terminal, foreign || pinned.has(i)});
         }
       }
+      if (beam.tail != 0) {
+        const int end = beam.tail < 0 ? beam.solidStart() : beam.solidLast();
+        const Cell cell = view.base + scaled(end, view.step) + shift;
+        if (inBox(cell)) {
+          local_.block(boxIndex(cell));
+        }
+      }
       continue;
     }
     const std::size_t axisPlace = run.axes.front() == cover.axis ? 0 : 1;
-    const auto first = static_cast<double>(beam.start);
-    const auto last = static_cast<double>(beam.last());
+    const auto first = static_cast<double>(beam.solidStart());
+    const auto last = static_cast<double>(beam.solidLast());
     for (const Shadow& shadow : view.shadows[axisPlace][at(beam.layer + guide::kMaxLayer)]) {
       if (first < shadow.high && last > shadow.low) {
         local_.block(shadow.cell);
@@ -179,7 +186,7 @@ void Layout::fillRun(const RunView& view) {
     }
     for (const auto& [i, nodeCell] : view.onLattice) {
       const Cell cell = nodeCell + shift;
-      if (beam.start <= i && beam.last() >= i && inBox(cell)) {
+      if (beam.start <= i && beam.last() >= i && i != corner && inBox(cell)) {
         local_.addHole({cell, cover.axis, terminal, foreign || pinned.has(i)});
       }
     }

@@ -18,8 +18,8 @@ std::size_t at(int id) {
 std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
   std::uint64_t hash = static_cast<std::uint64_t>(lattice::index(cover.axis));
   for (const Beam& beam : cover.beams) {
-    if (static_cast<double>(beam.last()) < view.low ||
-        static_cast<double>(beam.start) > view.high) {
+    if (static_cast<double>(beam.solidLast()) < view.low ||
+        static_cast<double>(beam.solidStart()) > view.high) {
       continue;
     }
     const int first = std::max(beam.start, static_cast<int>(view.low) - 2);
@@ -28,6 +28,7 @@ std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
     hash = base::mixHash(hash, static_cast<std::uint64_t>(last + 4096));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.layer + 64));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.mate + 1));
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.tail + 1));
   }
   return hash;
 }

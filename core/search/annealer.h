@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "layout/bent_beam.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
 #include "search/layout_search.h"
@@ -17,7 +18,7 @@ namespace liftarm::search {
 //! \brief Parts of the search that can be switched off, to see what each is worth
 //! (docs/ablations.md).
 struct SearchParts {
-  bool corners = true;  //!< L beams
+  bool corners = true;  //!< bent beams
   bool focus = true;    //!< most moves at violated places
   bool pairs = true;    //!< moves that cover two runs anew
   bool many = true;     //!< ruin and recreate of several runs
@@ -41,6 +42,7 @@ struct AnnealingOptions {
   SearchParts parts;
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
+  std::vector<int> bends = layout::allBentBeams();  //!< bent beams that may be laid
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
@@ -89,7 +91,7 @@ class Annealer final : public LayoutSearch {
   void place(int run, const layout::Cover& cover);
   bool layBound(int run, lattice::Axis axis);
   void loosenSymmetry();
-  bool recover(int run, double noise);
+  bool recover(int run, double noise, double turning);
   bool recoverMany(int run, double noise);
   bool mirror(int run, double noise);
   bool recoverCrossing(int run, double noise);
@@ -97,6 +99,7 @@ class Annealer final : public LayoutSearch {
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
   bool straighten(int run, double noise);
   bool bend(int run, double noise);
+  [[nodiscard]] bool mayBend(int run, int mate) const;
   [[nodiscard]] double energy();
   [[nodiscard]] double plainEnergy(const layout::Tallies& tallies, int freedoms) const;
   void raiseWeights();
@@ -133,6 +136,7 @@ class Annealer final : public LayoutSearch {
   double violationWeight_ = 0.0;
   std::vector<int> fewestBeams_;  // by run: a lower bound
   std::vector<int> sites_;
+  std::vector<std::pair<layout::Beam, layout::Beam>> bends_;  // that fit, of one move
   int site_ = -1;  // violated junction that the last pick came from
 };
 

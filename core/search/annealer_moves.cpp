@@ -10,18 +10,17 @@ namespace {
 constexpr double kPickViolation = 0.75;  // share of moves at a violated place while there is one
 constexpr double kPickNear = 0.15;       // of these: at a run that passes near, not one that is met
 constexpr double kPickAxis = 0.12;       // share of moves that turn the run's hole axis
+constexpr double kTurnMany = 0.3;        // the same where several runs are cleared
 constexpr double kPickTwo = 0.35;        // share of moves that cover two runs anew
-constexpr double kPickMany = 0.2;  // share of moves that clear several runs first, while violated
+constexpr double kPickMany = 0.4;  // share of moves that clear several runs first, while violated
 constexpr std::uint32_t kMostMany = 4;
 constexpr double kPickCostly =
     0.5;  // share of moves at a run with more beams than it needs, if any
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBendStiff = 0.25;
-constexpr double kPickBend = 0.06;    // share of moves that lay an L beam at a corner
-constexpr double kStraighten = 0.25;  // share of moves on a run with L beams that take them out
+constexpr double kPickBend = 0.06;    // share of moves that lay a bent beam
+constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
 constexpr std::uint32_t kMostFollowers = 7;
-constexpr int kLongArm = 5;  // holes of the L beam's arms (32526)
-constexpr int kShortArm = 3;
 constexpr double kNearLayers = 0.3;  // share of moves that use one layer on either side at most
 constexpr double kMoreLayers = 0.6;  // of the others: those that use two
 constexpr double kMostNoise = 9.0;
@@ -51,6 +50,13 @@ std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, i
     }
   }
   return rest;
+}
+
+//! Whether an arm would share a node with one of these.
+bool meetsAny(const layout::Beam& arm, const std::vector<layout::Beam>& others) {
+  return std::any_of(others.begin(), others.end(), [&](const layout::Beam& other) {
+    return arm.solidStart() <= other.solidLast() && arm.solidLast() >= other.solidStart();
+  });
 }
 
 }  // namespace
@@ -159,21 +165,21 @@ bool Annealer::coverRun(int run,
   return changed;
 }
 
-//! Covers a run anew; its arms of L beams stay, and then so does its hole axis.
-bool Annealer::recover(int run, double noise) {
+//! Covers a run anew; its arms of bent beams stay, and then so does its hole axis.
+bool Annealer::recover(int run, double noise, double turning) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   lattice::Axis axis = layout_.run(run).cover.axis;
   const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
   if (!arms.empty() && rng_.unit() < kStraighten) {
     return straighten(run, noise);
   }
-  if (options_.parts.turns && arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < kPickAxis) {
+  if (options_.parts.turns && arms.empty() && guideRun.axes.size() > 1 && rng_.unit() < turning) {
     axis = guideRun.axes[0] == axis ? guideRun.axes[1] : guideRun.axes[0];
   }
   return coverRun(run, axis, noise, arms);
 }
 
-//! Takes the L beams of a run out: it and the runs of their other arms are covered anew.
+//! Takes the bent beams of a run out: it and the runs of their other arms are covered anew.
 bool Annealer::straighten(int run, double noise) {
   bool changed = false;
   const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
@@ -190,36 +196,51 @@ bool Annealer::straighten(int run, double noise) {
   return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
 }
 
-//! Lays an L beam at a corner of this run and another of the same hole axis, square to it.
+//! Whether these runs may share a beam: one hole axis, no symmetry binds them, and no joint lets
+//! them turn against each other where they meet.
+bool Annealer::mayBend(int run, int mate) const {
+  if (orbits_.binds(run) || orbits_.binds(mate) ||
+      layout_.run(run).cover.axis != layout_.run(mate).cover.axis) {
+    return false;
+  }
+  const guide::GuidingGraph& graph = problem_->graph;
+  const int junction = layout::commonJunction(graph, run, mate);
+  return junction >= 0 && graph.junctions[at(junction)].joint < 0;
+}
+
+//! Lays a bent beam where this run and another meet that has the same hole axis.
 bool Annealer::bend(int run, double noise) {
   const int mate = pickPartner(run);
-  if (mate < 0 || orbits_.binds(run) || orbits_.binds(mate)) {
+  if (mate < 0 || !mayBend(run, mate)) {
     return false;
   }
   const guide::GuidingGraph& graph = problem_->graph;
   const layout::Cover& mine = layout_.run(run).cover;
   const layout::Cover& theirs = layout_.run(mate).cover;
-  const bool square = graph.runs[at(run)].principal && graph.runs[at(mate)].principal;
-  if (!square || mine.axis != theirs.axis || !armsOf(mine).empty() || !armsOf(theirs).empty()) {
-    return false;
-  }
-  const int layer = static_cast<int>(rng_.below(3)) - 1;
-  const bool longer = rng_.below(2) == 0;
-  const auto armAt = [&](int onRun, int other, int holes) {
-    const int corner = layout::cornerIndex(graph, onRun, other);
-    const int start = rng_.below(2) == 0 ? corner : corner - holes + 1;
-    return layout::Beam{start, holes, layer, other};
-  };
-  const layout::Beam a = armAt(run, mate, longer ? kLongArm : kShortArm);
-  const layout::Beam b = armAt(mate, run, longer ? kShortArm : kLongArm);
-  if (a.start < 0 || b.start < 0 || a.last() > graph.runs[at(run)].edgeCount() ||
-      b.last() > graph.runs[at(mate)].edgeCount()) {
-    return false;
-  }
   const lattice::Axis axis = mine.axis;
+  std::vector<layout::Beam> fixed = armsOf(mine);
+  std::vector<layout::Beam> mateFixed = armsOf(theirs);
+  const int layer = static_cast<int>(rng_.below(3)) - 1;
+  bends_.clear();
+  for (const int form : options_.bends) {
+    layout::addBends(graph, form, run, mate, layer, &bends_);
+  }
+  bends_.erase(std::remove_if(bends_.begin(),
+                              bends_.end(),
+                              [&](const auto& arms) {
+                                return meetsAny(arms.first, fixed) ||
+                                       meetsAny(arms.second, mateFixed);
+                              }),
+               bends_.end());
+  if (bends_.empty()) {
+    return false;
+  }
+  const auto& [arm, mateArm] = bends_[rng_.below(static_cast<std::uint32_t>(bends_.size()))];
+  fixed.push_back(arm);
+  mateFixed.push_back(mateArm);
   layout_.setCover(run, {axis, {}});
   layout_.setCover(mate, {axis, {}});
-  if (!coverRun(run, axis, noise, {a}) || !coverRun(mate, axis, noise, {b})) {
+  if (!coverRun(run, axis, noise, fixed) || !coverRun(mate, axis, noise, mateFixed)) {
     return false;
   }
   // Both lines' layers have changed along their length: let those that cross them follow.
@@ -227,7 +248,7 @@ bool Annealer::bend(int run, double noise) {
   for (std::uint32_t i = 0; i < followers; ++i) {
     const int other = pickPartner(i % 2 == 0 ? run : mate);
     if (other >= 0 && other != run && other != mate) {
-      recover(other, noise);
+      recover(other, noise, kPickAxis);
     }
   }
   return true;
@@ -271,7 +292,7 @@ bool Annealer::recoverMany(int run, double noise) {
     std::swap(before[i - 1], before[j]);
   }
   for (std::size_t i = 0; i < cleared.size(); ++i) {
-    if (!recover(cleared[i], noise)) {
+    if (!recover(cleared[i], noise, kTurnMany)) {
       place(cleared[i], before[i]);
     }
   }
@@ -353,9 +374,9 @@ void Annealer::move() {
   } else if (corner) {
     changed = bend(run, noise);
   } else {
-    changed = recover(run, noise);
+    changed = recover(run, noise, kPickAxis);
     const int partner = parts.pairs && rng_.unit() < kPickTwo ? pickPartner(run) : -1;
-    changed = (partner >= 0 && recover(partner, noise)) || changed;
+    changed = (partner >= 0 && recover(partner, noise, kPickAxis)) || changed;
   }
   if (!changed) {
     layout_.revert();

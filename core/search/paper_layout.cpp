@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "layout/bent_beam.h"
 #include "layout/stack.h"
 
 namespace liftarm::search {
@@ -133,9 +134,10 @@ void PaperLayout::insert(int run, const Beam& beam) {
 }
 
 void PaperLayout::add(const PaperPlacement& placement, int layer) {
-  insert(placement.run, {placement.start, placement.holes, layer, placement.mate});
+  const int form = placement.mate >= 0 ? layout::bentBeamIndex(kCornerBeam) : -1;
+  insert(placement.run, {placement.start, placement.holes, layer, placement.mate, form});
   if (placement.mate >= 0) {
-    insert(placement.mate, {placement.mateStart, placement.mateHoles, layer, placement.run});
+    insert(placement.mate, {placement.mateStart, placement.mateHoles, layer, placement.run, form});
   }
 }
 

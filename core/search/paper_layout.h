@@ -8,7 +8,10 @@
 
 namespace liftarm::search {
 
-//! \brief Holes of an L beam's arms (32526), corner included.
+//! \brief LDraw number of the L beam that the paper's search lays.
+inline constexpr const char* kCornerBeam = "32526";
+
+//! \brief Holes of its arms, corner included.
 inline constexpr int kCornerLong = 5;
 inline constexpr int kCornerShort = 3;
 

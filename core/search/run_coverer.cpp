@@ -216,7 +216,7 @@ void RunCoverer::favourFixed() {
         const int last = start + lengths_[n] - 1;
         if (start == fixed.start && lengths_[n] == fixed.holes) {
           beamCost_[beamIndex(start, n, fixed.layer)] -= kFixedBonus;
-        } else if (last <= edges_ + 1 && start <= fixed.last() && last >= fixed.start) {
+        } else if (last <= edges_ + 1 && start <= fixed.solidLast() && last >= fixed.solidStart()) {
           beamCost_[beamIndex(start, n, fixed.layer)] += kForbidden;
         }
       }
@@ -224,16 +224,21 @@ void RunCoverer::favourFixed() {
   }
 }
 
-//! Marks the arms of L beams in a cover; false when one is missing.
+//! Marks the arms of bent beams in a cover; false when one is missing, or its axle hole's place is
+//! taken.
 bool RunCoverer::markFixed(Cover* cover) const {
   return std::all_of(fixed_.begin(), fixed_.end(), [&](const Beam& fixed) {
+    bool found = false;
     for (Beam& beam : cover->beams) {
       if (beam.start == fixed.start && beam.holes == fixed.holes && beam.layer == fixed.layer) {
-        beam.mate = fixed.mate;
-        return true;
+        beam = fixed;
+        found = true;
+      } else if (beam.layer == fixed.layer && beam.solidStart() <= fixed.solidLast() &&
+                 beam.solidLast() >= fixed.solidStart()) {
+        return false;
       }
     }
-    return false;
+    return found;
   });
 }
 

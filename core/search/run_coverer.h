@@ -37,8 +37,8 @@ class RunCoverer {
   std::optional<layout::Cover> propose(
       const layout::Layout& layout, int run, lattice::Axis axis, double noise, base::Rng* rng);
 
-  //! \brief Beams that the next proposals must contain as they are: arms of L beams. Empty again:
-  //! none.
+  //! \brief Beams that the next proposals must contain as they are: arms of bent beams. Empty
+  //! again: none.
   void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
 
   //! \brief Highest layer, on either side, that the next proposals may use: fewer layers, less

@@ -20,7 +20,7 @@ int beyond(int used, int owned) {
 
 SupplyCounter::SupplyCounter(Supply supply, const mechanisms::MechanismTable& table)
     : supply_(std::move(supply)), table_(&table) {
-  limited_ = !supply_.beams.empty() || supply_.corners >= 0 || !supply_.connectors.empty();
+  limited_ = !supply_.beams.empty() || !supply_.bent.empty() || !supply_.connectors.empty();
   for (std::size_t c = 0; c < supply_.connectors.size(); ++c) {
     if (supply_.connectors[c].first == kInlinePin) {
       inlinePin_ = static_cast<int>(c);
@@ -28,9 +28,9 @@ SupplyCounter::SupplyCounter(Supply supply, const mechanisms::MechanismTable& ta
   }
 }
 
-//! Parts in use by each limited length, and L beams at the end.
+//! Parts in use by each limited length, and of each limited bent beam after these.
 std::vector<int> SupplyCounter::beamsUsed(const layout::Layout& layout, int exceptRun) const {
-  std::vector<int> used(supply_.beams.size() + 1, 0);
+  std::vector<int> used(supply_.beams.size() + supply_.bent.size(), 0);
   const auto runs = static_cast<int>(layout.problem().graph.runs.size());
   for (int run = 0; run < runs; ++run) {
     if (run == exceptRun) {
@@ -38,7 +38,9 @@ std::vector<int> SupplyCounter::beamsUsed(const layout::Layout& layout, int exce
     }
     for (const layout::Beam& beam : layout.run(run).cover.beams) {
       if (beam.mate >= 0) {
-        used.back() += run < beam.mate ? 1 : 0;
+        for (std::size_t b = 0; b < supply_.bent.size() && run < beam.mate; ++b) {
+          used[supply_.beams.size() + b] += supply_.bent[b].first == beam.form ? 1 : 0;
+        }
         continue;
       }
       for (std::size_t b = 0; b < supply_.beams.size(); ++b) {
@@ -67,7 +69,10 @@ int SupplyCounter::missing(const layout::Layout& layout) {
     return 0;
   }
   const std::vector<int> beams = beamsUsed(layout, -1);
-  int missing = supply_.corners < 0 ? 0 : beyond(beams.back(), supply_.corners);
+  int missing = 0;
+  for (std::size_t b = 0; b < supply_.bent.size(); ++b) {
+    missing += beyond(beams[supply_.beams.size() + b], supply_.bent[b].second);
+  }
   for (std::size_t b = 0; b < supply_.beams.size(); ++b) {
     missing += beyond(beams[b], supply_.beams[b].owned);
   }

@@ -16,8 +16,8 @@ struct Supply {
     int owned = 0;  //!< parts, of which a beam of 4 or 6 holes takes two
   };
 
-  std::vector<Beams> beams;                             //!< straight ones
-  int corners = -1;                                     //!< L beams; -1: no limit
+  std::vector<Beams> beams;               //!< straight ones
+  std::vector<std::pair<int, int>> bent;  //!< index of a bent beam (layout/bent_beam.h), and owned
   std::vector<std::pair<std::string, int>> connectors;  //!< LDraw number, owned
 };
 

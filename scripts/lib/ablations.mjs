@@ -8,7 +8,7 @@ export const ABLATIONS = [
   { key: 'nothing', title: 'nothing', set: [], about: 'the whole search.' },
   {
     key: 'corners',
-    title: 'L beams',
+    title: 'bent beams',
     set: ['search.corners=0'],
     about: 'straight beams only.',
   },

@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, test } from 'vitest';
+import { brickSetSettings, SET_PARTS } from '../../web/src/model/brick-set.ts';
 import type { ExportFormat, SolveProgress } from '../../web/src/solver/protocol.ts';
 import { SOLVER_STATUSES } from '../../web/src/solver/solver-module.ts';
 import { SOLVE_DE } from '../../web/src/ui/text/de/solve.ts';
@@ -39,6 +40,20 @@ const typesOf = (value: object) =>
 
 test('the statuses of C++ and TypeScript are the same, in the same order', () => {
   expect(JSON.parse(module.contractJson())).toMatchObject({ statuses: [...SOLVER_STATUSES] });
+});
+
+test('the page shows every part that the search builds with', () => {
+  const { settings } = JSON.parse(module.contractJson());
+  // With all but one of a kind switched off, what is left is said in full.
+  const all = [...settings.lengths.map(String), ...settings.bent, ...settings.connectors];
+  const off = new Set(SET_PARTS);
+  const left = [settings.bent[0], settings.connectors[1]];
+  expect(brickSetSettings(new Set(SET_PARTS.filter((id) => !left.includes(id))))).toMatchObject({
+    bent: settings.bent[0],
+    connectors: `2780,${settings.connectors[1]}`,
+  });
+  expect(off.size).toBe(all.length);
+  expect([...settings.bent, ...settings.connectors].filter((id) => !off.has(id))).toEqual([]);
 });
 
 test('progress has exactly the fields that TypeScript names, with their types', () => {

@@ -7,6 +7,7 @@
 
 #include "core/helpers/sketches.h"
 #include "design/design_session.h"
+#include "layout/bent_beam.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
 
@@ -46,6 +47,31 @@ TEST(OwnedParts, AreNotExceededWhereOthersServe) {
   EXPECT_LE(countOf(solved.model, "40490"), 2);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
   EXPECT_TRUE(solved.report["missing"].empty());
+}
+
+TEST(OwnedParts, OfBentBeamsAreNotExceeded) {
+  // Two L beams make this rectangle, straight ones would be four.
+  const sketch::Sketch rectangle = testing::sketchFrom({{{0, 0, 0}, {4, 0, 0}},
+                                                        {{4, 0, 0}, {4, 2, 0}},
+                                                        {{4, 2, 0}, {0, 2, 0}},
+                                                        {{0, 2, 0}, {0, 0, 0}}});
+  const Solved whole = solve(rectangle, json::object());
+  const auto bentIn = [](const model::Model& model) {
+    int count = 0;
+    for (const layout::BentBeam& bent : layout::bentBeams()) {
+      count += countOf(model, bent.part);
+    }
+    return count;
+  };
+  ASSERT_GT(bentIn(whole.model), 1);
+  json owned = json::object();
+  for (const layout::BentBeam& bent : layout::bentBeams()) {
+    owned["owned." + bent.part] = bent.part == "32526" ? 1 : 0;
+  }
+  const Solved solved = solve(rectangle, owned);
+  EXPECT_EQ(bentIn(solved.model), countOf(solved.model, "32526"));
+  EXPECT_LE(countOf(solved.model, "32526"), 1);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
 TEST(OwnedParts, OfConnectorsAreNotExceededWhereOthersServe) {

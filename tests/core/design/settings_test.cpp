@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "layout/bent_beam.h"
+
 namespace liftarm::design {
 namespace {
 
@@ -59,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadSettings{R"({"set": {"paper.coolingRate": 1}})", "paper.coolingRate"},
                       BadSettings{R"({"set": {"lengths": "2,4"}})", "4"},
                       BadSettings{R"({"set": {"lengths": ""}})", "set.lengths"},
+                      BadSettings{R"({"set": {"bent": "32524"}})", "set.bent"},
                       BadSettings{R"({"set": {"lengths": "two"}})", "two"},
                       BadSettings{R"({"set": {"connectors": "2780,nothing"}})", "nothing"}));
 
@@ -130,6 +133,22 @@ TEST(Settings, TakeEachLengthOnce) {
   const base::Result<Settings> settings = readSettings(R"({"set": {"lengths": "3,5,3"}})");
   ASSERT_TRUE(settings.ok());
   EXPECT_EQ(settings.value().annealing.lengths, (std::vector<int>{3, 5}));
+}
+
+TEST(Settings, TakeBentBeamsByTheirNumber) {
+  const base::Result<Settings> settings = readSettings(R"({"set": {"bent": "60484,32526"}})");
+  ASSERT_TRUE(settings.ok());
+  std::vector<std::string> parts;
+  for (const int form : settings.value().annealing.bends) {
+    parts.push_back(layout::bentBeams()[static_cast<std::size_t>(form)].part);
+  }
+  EXPECT_EQ(parts, (std::vector<std::string>{"32526", "60484"}));
+}
+
+TEST(Settings, TakeNoBentBeamAtAll) {
+  const base::Result<Settings> settings = readSettings(R"({"set": {"bent": ""}})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_TRUE(settings.value().annealing.bends.empty());
 }
 
 TEST(Settings, HaveEveryWeightInTheirJson) {

@@ -35,12 +35,18 @@ describe('the brick set', () => {
   it('leaves out the beams and connectors that are off', () => {
     expect(brickSetSettings(new Set(['32278', '6558']))).toEqual({
       lengths: '2,3,5,6,7,9,11,13',
-      connectors: '2780,87082,48989,55615',
+      connectors: '2780,87082,48989,55615,15462,3713',
+    });
+  });
+
+  it('leaves out the bent beams that are off', () => {
+    expect(brickSetSettings(new Set(['32140', '60484']))).toEqual({
+      bent: '32271,32348,32526,6629',
     });
   });
 
   it('keeps the pin that nothing works without', () => {
-    expect(brickSetSettings(new Set(SET_PARTS))).toEqual({ connectors: '2780' });
+    expect(brickSetSettings(new Set(SET_PARTS))).toEqual({ bent: '', connectors: '2780' });
   });
 
   it('adds up colours when it says what is missing', () => {

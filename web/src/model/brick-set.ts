@@ -1,6 +1,6 @@
 /**
  * The parts that the search builds with, and how a person's choice among them is said to it. Mirrors
- * the defaults of core/search/annealer.h (lengths) and core/design/settings.h (connectors).
+ * the defaults of core/design/settings.h; tests/contract/contract.test.ts compares them.
  */
 
 /** Straight beams by their number of holes; 4 and 6 are two thin ones. */
@@ -16,20 +16,25 @@ const BEAMS: readonly (readonly [number, string])[] = [
   [15, '32278'],
 ];
 
-const CONNECTORS: readonly string[] = ['2780', '6558', '87082', '48989', '55615'];
+/** L and T beams, and those bent by 53.13 degrees. */
+const BENT: readonly string[] = ['32140', '32271', '32348', '32526', '60484', '6629'];
+
+const CONNECTORS: readonly string[] = ['2780', '6558', '87082', '48989', '55615', '15462', '3713'];
 
 /** Parts that cannot be switched off: joints in line are pinned with them. */
 export const NEEDED_PARTS: ReadonlySet<string> = new Set(['2780']);
 
 /** All parts that can be switched, beams first, in the order in which they are shown. */
-export const SET_PARTS: readonly string[] = [...BEAMS.map(([, id]) => id), ...CONNECTORS];
+export const SET_PARTS: readonly string[] = [...BEAMS.map(([, id]) => id), ...BENT, ...CONNECTORS];
 
 /** The settings of the search for a brick set; none for the whole one. */
 export function brickSetSettings(off: ReadonlySet<string>): Readonly<Record<string, string>> {
   const lengths = BEAMS.filter(([, id]) => !off.has(id)).map(([length]) => length);
+  const bent = BENT.filter((id) => !off.has(id));
   const connectors = CONNECTORS.filter((id) => NEEDED_PARTS.has(id) || !off.has(id));
   return {
     ...(lengths.length < BEAMS.length && lengths.length > 0 ? { lengths: lengths.join() } : {}),
+    ...(bent.length < BENT.length ? { bent: bent.join() } : {}),
     ...(connectors.length < CONNECTORS.length ? { connectors: connectors.join() } : {}),
   };
 }
