@@ -42,7 +42,7 @@ export function stepBoxes(paper: PaperName, count: number): readonly PageBox[] {
 }
 
 /** Three parts in a row can be told apart at arm's length, points. */
-export const PART_CELL = { columns: 3, height: 140, picture: { width: 132, height: 84 } } as const;
+export const PART_CELL = { columns: 3, height: 140, picture: { width: 126, height: 80 } } as const;
 
 /** How many parts of the list fit a page. */
 export function partsOnPage(paper: PaperName): number {
@@ -59,18 +59,24 @@ export function pageSteps(count: number): number[][] {
   return pages;
 }
 
+const MOST_LINES = 3;
+
 /**
- * Breaks words into at most two lines.
+ * Breaks words into at most three lines.
  * @param widthOf of a text in the wanted font
- * @returns the lines; what does not fit into the second ends with dots.
+ * @returns the lines; what does not fit into the last ends with dots.
  */
 export function wrap(text: string, width: number, widthOf: (line: string) => number): string[] {
   const words = text.split(' ');
-  let first = words.shift() ?? '';
-  while (words[0] !== undefined && widthOf(`${first} ${words[0]}`) <= width) {
-    first += ` ${words.shift()}`;
+  const lines: string[] = [];
+  while (words.length > 0 && lines.length < MOST_LINES - 1) {
+    let line = words.shift() ?? '';
+    while (words[0] !== undefined && widthOf(`${line} ${words[0]}`) <= width) {
+      line += ` ${words.shift()}`;
+    }
+    lines.push(line);
   }
-  return [first, words.join(' ')]
+  return [...lines, words.join(' ')]
     .filter((line) => line !== '')
     .map((line) => cut(line, width, widthOf));
 }
