@@ -1,3 +1,7 @@
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
+import type { Page } from '@playwright/test';
+import { linkOf, publicSketch } from './helpers/links.ts';
 import { expect, test } from './helpers/test.ts';
 
 test.describe('without looking at the drawing', () => {
@@ -17,38 +21,109 @@ test.describe('without looking at the drawing', () => {
     await expect(page.getByLabel('Name of the sketch')).toHaveValue('Seesaw');
   });
 
-  test('gears turn with the right ratio', async ({ page }) => {
-    await page.goto('./?room=gallery');
-    await page
-      .locator('[data-model="gear-box"]')
-      .getByRole('button', { name: 'See the gears turn' })
-      .click();
-    await expect(page.getByTestId('ratio')).toContainText('15 turns', { timeout: 90_000 });
-    await page.getByLabel('Crank').fill('7.5');
-    const shafts = page.locator('.gear-shafts li');
-    await expect(shafts.nth(0)).toHaveAttribute('data-turns', '7.5000');
-    await expect(shafts.nth(1)).toHaveAttribute('data-turns', '-2.5000');
-    await expect(shafts.nth(2)).toHaveAttribute('data-turns', '0.5000');
-    await page.getByRole('button', { name: 'Open with its gears' }).click();
-    const result = page.getByRole('complementary');
-    await expect(result.getByText('opened from a file and checked')).toBeVisible();
-    await expect(result.getByTestId('verdict')).toContainText('Buildable');
+  for (const { id, says, crank, turns } of [
+    { id: 'gear-box', says: '15 turns', crank: 7.5, turns: [7.5, -2.5, 0.5] },
+    { id: 'winch', says: '3 times', crank: 5, turns: [5, -3, 15] },
+  ]) {
+    test(`gears of ${id} turn with the right ratio`, async ({ page }) => {
+      await page.goto('./?room=gallery');
+      const card = page.locator(`[data-model="${id}"]`);
+      await card.getByRole('button', { name: 'See the gears turn' }).click();
+      await expect(page.getByTestId('ratio')).toContainText(says, { timeout: 90_000 });
+      await page.getByLabel('Crank').fill(`${crank}`);
+      const shafts = page.locator('.gear-shafts li');
+      await expect(shafts).toHaveCount(turns.length);
+      for (const [i, wanted] of turns.entries()) {
+        await expect(shafts.nth(i)).toHaveAttribute('data-turns', wanted.toFixed(4));
+      }
+      await page.getByRole('button', { name: 'Open with its gears' }).click();
+      const result = page.getByRole('complementary');
+      await expect(result.getByText('opened from a file and checked')).toBeVisible();
+      await expect(result.getByTestId('verdict')).toContainText('Buildable');
+    });
+  }
+});
+
+const { models } = JSON.parse(
+  readFileSync(resolve(import.meta.dirname, '../public/gallery/index.json'), 'utf8'),
+) as { models: { id: string; moves: boolean }[] };
+const MOVING = models.filter(({ moves }) => moves).map(({ id }) => id);
+
+test('nine models move, or more', () => {
+  expect(MOVING.length).toBeGreaterThanOrEqual(9);
+});
+
+/** Turns the joint on screen to both ends of its range, and lets it play. */
+async function turn(page: Page): Promise<void> {
+  const angle = page.getByRole('slider', { name: 'Angle' });
+  await expect(angle).toBeVisible({ timeout: 90_000 });
+  const value = async () => Number(await angle.inputValue());
+  const [least, most] = [
+    Number(await angle.getAttribute('min')),
+    Number(await angle.getAttribute('max')),
+  ];
+  expect(most - least).toBeGreaterThan(5);
+  await angle.press('End');
+  expect(Math.abs((await value()) - most)).toBeLessThanOrEqual(0.5);
+  await angle.press('Home');
+  expect(Math.abs((await value()) - least)).toBeLessThanOrEqual(0.5);
+  await page.getByRole('button', { name: 'Play' }).click();
+  await expect.poll(value).toBeGreaterThan(least + 0.5);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  expect(await value()).toBeLessThanOrEqual(most);
+}
+
+test.describe('every joint turns within its range', () => {
+  test.use({ draws: false });
+
+  // Two tests: they run side by side.
+  for (const half of [0, 1]) {
+    const ids = MOVING.filter((_, i) => i % 2 === half);
+    test(ids.join(', '), async ({ page }) => {
+      await page.goto('./?room=gallery');
+      for (const id of ids) {
+        await page.locator(`[data-model="${id}"]`).getByRole('button', { name: 'Move it' }).click();
+        await expect(page.locator(`.gallery-view[data-model="${id}"]`)).toBeVisible();
+        const joints = page.locator('.motion-list > li > button');
+        await expect(joints.first()).toBeVisible({ timeout: 90_000 });
+        for (const joint of await joints.all()) {
+          await joint.click();
+          await turn(page);
+        }
+        await page.getByRole('button', { name: 'Back to the gallery' }).click();
+      }
+      await expect(page.locator('.gallery-card')).toHaveCount(26);
+    });
+  }
+
+  test('a joint is dragged beside the drawing', async ({ page }) => {
+    await page.goto(`./${await linkOf(publicSketch('examples/seesaw'))}`);
+    await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 90_000 });
+    await page.getByRole('heading', { name: 'Checks' }).click();
+    await page.locator('.check-view').filter({ hasText: 'Joints' }).locator('summary').click();
+    const angle = page.getByRole('slider', { name: 'Angle' });
+    await angle.scrollIntoViewIfNeeded();
+    const box = await angle.boundingBox();
+    if (!box) {
+      throw new Error('no slider');
+    }
+    const middle = box.y + box.height / 2;
+    await page.mouse.move(box.x + box.width / 2, middle);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width + 20, middle, { steps: 4 });
+    const most = Number(await angle.getAttribute('max'));
+    expect(Math.abs(Number(await angle.inputValue()) - most)).toBeLessThanOrEqual(0.5);
+    await page.mouse.up();
   });
 });
 
-test('joints of a moving model turn in the gallery, within their range', async ({ page }) => {
+test('the picture shows where a joint stands', async ({ page }) => {
   await page.goto('./?room=gallery');
-  const seesaw = page.locator('[data-model="seesaw"]');
-  await seesaw.getByRole('button', { name: 'Move it' }).click();
+  await page.locator('[data-model="seesaw"]').getByRole('button', { name: 'Move it' }).click();
   const angle = page.getByRole('slider', { name: 'Angle' });
   await expect(angle).toBeVisible({ timeout: 90_000 });
   const picture = page.locator('.moving-picture canvas');
   const before = await picture.screenshot();
-  const most = Number(await angle.getAttribute('max'));
-  expect(most).toBeGreaterThan(5);
   await angle.press('End');
-  expect(Math.abs(Number(await angle.inputValue()) - most)).toBeLessThan(0.5);
   expect((await picture.screenshot()).equals(before)).toBe(false);
-  await page.getByRole('button', { name: 'Back to the gallery' }).click();
-  await expect(page.locator('.gallery-card')).toHaveCount(26);
 });

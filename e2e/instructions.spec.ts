@@ -1,3 +1,4 @@
+import { countFrames, readImage, readPdf, readVideo, readZip } from './helpers/readers.ts';
 import { bytesOf, openModelRoom } from './helpers/rooms.ts';
 import { expect, test } from './helpers/test.ts';
 
@@ -19,32 +20,54 @@ test('steps are read, ticked off and remembered', async ({ page }) => {
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
 });
 
-test('the PDF and the film are written', async ({ page }) => {
+test('the PDF has all steps on pages of the right size', async ({ page }) => {
   await openModelRoom(page, 'instructions', 'examples/square-frame');
   await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
-  for (const paper of ['A4', 'Letter']) {
-    const pdf = await bytesOf(page, () =>
-      page.getByRole('button', { name: `PDF (${paper})` }).click(),
+  const steps = await page.getByRole('progressbar', { name: 'Done' }).getAttribute('max');
+  for (const [paper, width, height] of [
+    ['A4', 595, 842],
+    ['Letter', 612, 792],
+  ] as const) {
+    const pdf = readPdf(
+      await bytesOf(page, () => page.getByRole('button', { name: `PDF (${paper})` }).click()),
     );
-    expect(pdf.subarray(0, 5).toString('latin1')).toBe('%PDF-');
-    expect(pdf.length).toBeGreaterThan(20_000);
+    expect(pdf.title).toBe('Square frame');
+    expect([pdf.width, pdf.height].map(Math.round)).toEqual([width, height]);
+    // A cover, the parts, and two steps a page.
+    expect(pdf.pages).toBe(2 + Math.ceil(Number(steps) / 2));
+    const [cover = '', parts = '', ...rest] = pdf.texts;
+    expect(cover).toContain('Square frame');
+    expect(cover).toContain(`${steps} steps`);
+    expect(parts).toMatch(/4x\s+\d+/);
+    rest.forEach((text, i) => {
+      expect(text).toMatch(new RegExp(`^\\s*${2 * i + 1}\\s`));
+      expect(text).toMatch(new RegExp(`\\b${i + 3} ?/ ?${pdf.pages}\\s*$`));
+    });
   }
+});
+
+test('the film is written as GIF, as pictures and as a video', async ({ page }) => {
+  await openModelRoom(page, 'instructions', 'examples/square-frame');
+  await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
   await page.getByRole('radio', { name: 'Film' }).check({ force: true });
-  await page.getByLabel('Moment of the film').fill('2');
+  const moment = page.getByLabel('Moment of the film');
+  await moment.fill('2');
+  const seconds = Number(await moment.getAttribute('max')) / 4;
   await page.getByLabel('Speed').selectOption('4');
-  const gif = await bytesOf(page, () => page.getByRole('button', { name: 'Save as GIF' }).click());
-  expect(gif.subarray(0, 6).toString('latin1')).toBe('GIF89a');
-  const zip = await bytesOf(page, () =>
-    page.getByRole('button', { name: 'Save as pictures' }).click(),
-  );
-  expect(zip.readUInt32LE(0)).toBe(0x04034b50);
-  expect(zip.subarray(30, 45).toString('latin1')).toBe('frame-00001.png');
+  const save = (words: string) =>
+    bytesOf(page, () => page.getByRole('button', { name: words }).click());
+  const gif = await save('Save as GIF');
+  expect(await readImage(page, gif, 'image/gif')).toMatchObject({ width: 480, height: 360 });
+  expect(await countFrames(page, gif)).toBe(Math.ceil(seconds * 10));
+  const pictures = readZip(await save('Save as pictures'));
+  expect(pictures).toHaveLength(Math.ceil(seconds * 10));
+  expect(pictures[0]?.[0]).toBe('frame-00001.png');
   const video = page.getByRole('button', { name: 'Save as video' });
   if (await video.isVisible()) {
-    const film = await bytesOf(page, () => video.click());
-    // MP4 names its brand in bytes 4 to 8; WebM begins with EBML's own number.
-    expect(
-      film.subarray(4, 8).toString('latin1') === 'ftyp' || film.readUInt32BE(0) === 0x1a45dfa3,
-    ).toBe(true);
+    const film = await save('Save as video');
+    const type = film.subarray(4, 8).toString('latin1') === 'ftyp' ? 'video/mp4' : 'video/webm';
+    const facts = await readVideo(page, film, type);
+    expect(facts).toMatchObject({ width: 1280, height: 720 });
+    expect(Math.abs(facts.seconds - seconds)).toBeLessThan(0.2);
   }
 });

@@ -17,7 +17,13 @@ const BUILD_PACKAGES = [
   'liblzma-dev',
   'libbenchmark-dev',
 ];
-const TEST_PACKAGES = ['clang-format', 'chromium', 'fonts-dejavu-core', 'calculix-ccx'];
+const TEST_PACKAGES = [
+  'clang-format',
+  'chromium',
+  'fonts-dejavu-core',
+  'calculix-ccx',
+  'poppler-utils',
+];
 const APT_OPTIONS = ['-qq', '-o', 'DPkg::Lock::Timeout=300', '-o', 'Acquire::Retries=3'];
 
 function isInstalled(name) {

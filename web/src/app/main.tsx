@@ -213,11 +213,22 @@ async function start(): Promise<void> {
   });
   controller.fitFirstModels();
   keepAddress(controller);
+  followLinks(controller);
   effect(() => {
     const name = store.sketch.value.name;
     document.title = name ? `${name} – ${text.app.name}` : text.app.name;
   });
   state.examples.value ??= await loadExamples(fetchJson).catch(() => []);
+}
+
+/** A link that is pasted into the address of the open page is opened as if the page were new. */
+function followLinks(controller: PageController): void {
+  window.addEventListener('hashchange', () => {
+    controller.toaster.clearErrors();
+    openLink(controller, controller.state.store.sketch.value)
+      .then((opened) => (opened ? null : controller.files.updateAddress()))
+      .catch(() => undefined);
+  });
 }
 
 /** The address holds the sketch a moment after each change. */

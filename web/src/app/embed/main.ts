@@ -11,6 +11,9 @@ async function begin(element: HTMLElement): Promise<void> {
   await showLink(element, location.hash.slice(1));
 }
 
+// Another link in the same frame: begin again.
+window.addEventListener('hashchange', () => location.reload());
+
 if (host) {
   const watcher = new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting)) {
