@@ -141,6 +141,16 @@ const Link* onlyLine(const std::vector<const Link*>& links) {
   return best;
 }
 
+//! Every body by itself.
+MergedLinkage unmerged(const Linkage& linkage) {
+  MergedLinkage result;
+  result.linkage = linkage;
+  for (int body = 0; body < linkage.bodies; ++body) {
+    result.bodyOf.push_back(body);
+  }
+  return result;
+}
+
 //! Pins and the like that only spin in their place: each becomes one with what holds it.
 //! \return How many motions that took away.
 int absorbSpinning(const FreedomsQuery& query, MergedLinkage& merged) {
@@ -156,9 +166,11 @@ int absorbSpinning(const FreedomsQuery& query, MergedLinkage& merged) {
     std::vector<bool> touched(at(merged.linkage.bodies), false);
     for (std::size_t body = 0; body < linksOf.size(); ++body) {
       const Link* link = frame[body] || linksOf[body].empty() ? nullptr : onlyLine(linksOf[body]);
-      // One of two neighbours at a time: the next round sees what is left.
+      // Of two neighbours that only spin one at a time: the next round sees what is left.
       if (link != nullptr && !touched[at(link->a)] && !touched[at(link->b)]) {
         touched[body] = true;
+        const std::size_t other = at(link->a) == body ? at(link->b) : at(link->a);
+        touched[other] = !frame[other];
         joined.emplace_back(link->a, link->b);
         spinning += link->shifts ? 2 : 1;
       }
@@ -368,7 +380,8 @@ MergedLinkage mergeAll(const Linkage& linkage) {
 }
 
 int countFreedomsBeyondJoints(const FreedomsQuery& query) {
-  MergedLinkage merged = mergeRigid(query.linkage);
+  // Pins go first: without them there is half as much to merge.
+  MergedLinkage merged = unmerged(query.linkage);
   absorbSpinning(query, merged);
   return MotionSorter(query, merged).countBeyondJoints();
 }

@@ -76,7 +76,7 @@ struct SwitchKey {
   bool search::SearchParts::*part;
 };
 
-constexpr std::array<SwitchKey, 11> kSwitchKeys{{
+constexpr std::array<SwitchKey, 12> kSwitchKeys{{
     {"search.corners", &search::SearchParts::corners},
     {"search.focus", &search::SearchParts::focus},
     {"search.pairs", &search::SearchParts::pairs},
@@ -86,6 +86,7 @@ constexpr std::array<SwitchKey, 11> kSwitchKeys{{
     {"search.growth", &search::SearchParts::growth},
     {"search.walls", &search::SearchParts::walls},
     {"search.mirrors", &search::SearchParts::mirrors},
+    {"search.variants", &search::SearchParts::variants},
     {"search.orbits", &search::SearchParts::orbits},
     {"search.costly", &search::SearchParts::costly},
 }};

@@ -145,12 +145,17 @@ void Layout::changeCollisions(int run, int delta) {
   }
 }
 
-void Layout::setCover(int run, Cover cover) {
-  RunState& state = runs_[at(run)];
+//! Before the first edit since keep().
+void Layout::saveTallies() {
   if (savedRuns_.empty() && savedJunctions_.empty()) {
     savedTallies_ = tallies_;
     savedWeighted_ = weighted_;
   }
+}
+
+void Layout::setCover(int run, Cover cover) {
+  RunState& state = runs_[at(run)];
+  saveTallies();
   if (runSaved_[at(run)] == 0) {
     runSaved_[at(run)] = 1;
     savedRuns_.emplace_back(run, state);
@@ -184,11 +189,31 @@ void Layout::settleAll() {
       staleList_.push_back(static_cast<int>(j));
     }
   }
-  if (savedRuns_.empty() && savedJunctions_.empty()) {
-    savedTallies_ = tallies_;
-    savedWeighted_ = weighted_;
-  }
+  saveTallies();
   settle();
+}
+
+void Layout::setVariant(int junction, std::uint32_t variant) {
+  saveTallies();
+  saveJunction(junction);
+  junctions_[at(junction)].variant = variant;
+  if (stale_[at(junction)] == 0) {
+    stale_[at(junction)] = 1;
+    staleList_.push_back(junction);
+  }
+}
+
+void Layout::restore(const std::vector<Cover>& covers,
+                     const std::vector<JunctionState>& junctions) {
+  for (std::size_t r = 0; r < covers.size(); ++r) {
+    setCover(static_cast<int>(r), covers[r]);
+  }
+  for (std::size_t j = 0; j < junctions.size(); ++j) {
+    addJunction(junctions_[j], static_cast<int>(j), -1);
+    junctions_[j] = junctions[j];
+    addJunction(junctions_[j], static_cast<int>(j), 1);
+  }
+  keep();
 }
 
 void Layout::keep() {

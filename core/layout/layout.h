@@ -42,6 +42,7 @@ struct JunctionState {
   int gaps = 0;
   int overfull = 0;
   bool leans = false;  //!< some of its beams are joined by a neighbouring junction's mechanism
+  std::uint32_t variant = 0;  //!< which of its connections is asked for: LocalProblem::variant
 
   [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
 };
@@ -73,6 +74,14 @@ class Layout {
 
   //! \brief Replaces the beams of one run. Its neighbours' connections are stale until settle().
   void setCover(int run, Cover cover);
+
+  //! \brief Asks for another connection of a junction's beams (LocalProblem::variant); it is stale
+  //! until settle().
+  void setVariant(int junction, std::uint32_t variant);
+
+  //! \brief Puts a layout back as it was, mechanisms and all, and keeps it. \pre Both lists are of
+  //! one settled layout of this problem.
+  void restore(const std::vector<Cover>& covers, const std::vector<JunctionState>& junctions);
 
   //! \brief Solves again every connection that the changes since keep() may touch.
   void settle() { settle({}); }
@@ -137,6 +146,7 @@ class Layout {
   void countStack(int junction, JunctionState* state) const;
   [[nodiscard]] bool plainStack(int junction, Connection* connection) const;
   [[nodiscard]] std::uint64_t signature(const RunView& view, const Cover& cover) const;
+  void saveTallies();
   void saveJunction(int junction);
 
   const LayoutProblem* problem_;

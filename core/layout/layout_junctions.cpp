@@ -316,10 +316,12 @@ void Layout::solveJunction(int junction) {
   JunctionState& state = junctions_[at(junction)];
   countStack(junction, &state);
   localTerminals_ = terminalsAt(junction);
-  if (localTerminals_.size() < 2 || plainStack(junction, &state.connection)) {
+  if (localTerminals_.size() < 2 ||
+      (state.variant == 0 && plainStack(junction, &state.connection))) {
     return;
   }
   state.leans = fillProblem(junction);
+  local_.variant = state.variant;
   state.connection = solver_->solve(local_);
 }
 

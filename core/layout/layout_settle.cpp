@@ -13,6 +13,13 @@ std::size_t at(int id) {
   return static_cast<std::size_t>(id);
 }
 
+//! All is forgotten but what is asked for.
+void unsolve(JunctionState* state) {
+  const std::uint32_t variant = state->variant;
+  *state = JunctionState{};
+  state->variant = variant;
+}
+
 }  // namespace
 
 std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
@@ -74,7 +81,7 @@ double Layout::clearStale() {
     const bool several = problem_->graph.junctions[at(junction)].incident.size() > 1;
     openCosts_.push_back(several && !state.leans ? 1.0 : 0.0);
     open += openCosts_.back();
-    state = JunctionState{};
+    unsolve(&state);
     countStack(junction, &state);
     addJunction(state, junction, 1);
   }
@@ -113,7 +120,7 @@ bool Layout::settle(const std::function<bool()>& hopeless) {
     const int junction = staleList_[i];
     JunctionState& state = junctions_[at(junction)];
     addJunction(state, junction, -1);
-    state = JunctionState{};
+    unsolve(&state);
     solveJunction(junction);
     addJunction(state, junction, 1);
     stale_[at(junction)] = 0;
@@ -158,7 +165,7 @@ void Layout::giveWay(int junction) {
     saveJunction(j);
     states.push_back(junctions_[at(j)]);
     before += states.back().connection.failed;
-    junctions_[at(j)] = JunctionState{};
+    unsolve(&junctions_[at(j)]);
   }
   int after = 0;
   for (const int j : order) {

@@ -1,7 +1,6 @@
 #include "search/annealer.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "base/det_math.h"
@@ -20,13 +19,6 @@ constexpr std::uint64_t kPatience =
 // not need all the later ones.
 constexpr double kFirstRoundShare = 0.6;
 
-constexpr std::uint32_t kStiffRounds = 8;
-// What a freedom costs in the rounds that stiffen: half a beam at first, later more than any beam.
-constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 5, 8, 8, 12, 12, 20, 20};
-// Rounds of a large sketch take long, and one that still moves after a few seldom ends stiff.
-constexpr std::size_t kLargeRuns = 40;
-constexpr std::uint32_t kStiffRoundsLarge = 3;
-constexpr double kStiffTemperature = 3.0;
 constexpr std::uint32_t kRoundsPerStart = 3;
 constexpr std::uint32_t kSymmetricRounds = 6;      // with every symmetry that may be kept
 constexpr std::uint32_t kLastSymmetricRound = 12;  // with some of them
@@ -173,10 +165,8 @@ void Annealer::beginRound() {
 void Annealer::finishRound() {
   ++round_;
   const bool whole = best_.tallies.violations() + best_.missing == 0;
-  const bool large = problem_->graph.runs.size() > kLargeRuns;
-  if (whole && options_.freedoms && stiffRounds_ < (large ? kStiffRoundsLarge : kStiffRounds)) {
-    beginStiffening();
-    done_ = best_.freedoms == 0;
+  if (whole && options_.freedoms) {
+    goOnStiffening();
     return;
   }
   if (whole || round_ > options_.maxRounds) {
@@ -184,14 +174,18 @@ void Annealer::finishRound() {
     return;
   }
   if (round_ % kRoundsPerStart == 0) {
-    // What one start cannot do another may: other hole axes, and no grudges.
-    layout_.setWeights(std::vector<double>(problem_->graph.junctions.size(), 1.0),
-                       std::vector<double>(problem_->graph.runs.size(), 1.0));
-    coverer_.setReach(guide::kMaxLayer);
     loosenSymmetry();
-    layFirst(kLaterStarts);
+    layAgain();
   }
   beginRound();
+}
+
+//! What one start cannot do another may: other hole axes, and no grudges.
+void Annealer::layAgain() {
+  layout_.setWeights(std::vector<double>(problem_->graph.junctions.size(), 1.0),
+                     std::vector<double>(problem_->graph.runs.size(), 1.0));
+  coverer_.setReach(guide::kMaxLayer);
+  layFirst(kLaterStarts);
 }
 
 //! Where a symmetric layout could not be made whole, the runs there are freed; at last, all are.
@@ -210,26 +204,6 @@ void Annealer::loosenSymmetry() {
   }
 }
 
-//! A further round from the best layout, in which what is loose costs too.
-void Annealer::beginStiffening() {
-  for (std::size_t r = 0; r < best_.covers.size(); ++r) {
-    layout_.setCover(static_cast<int>(r), best_.covers[r]);
-  }
-  layout_.settleAll();
-  layout_.keep();
-  if (!stiffening_) {
-    stiffening_ = true;
-    options_.startTemperature = kStiffTemperature;
-    best_.freedoms = options_.freedoms(best_);
-  }
-  freedomCost_ = kFreedomCosts[stiffRounds_];
-  ++stiffRounds_;
-  best_.energy = plainEnergy(best_.tallies, best_.freedoms);
-  freedoms_ = options_.freedoms(snapshot());
-  energy_ = energy();
-  beginRound();
-}
-
 LayoutSnapshot Annealer::snapshot() const {
   LayoutSnapshot snapshot;
   snapshot.tallies = layout_.tallies();
@@ -243,20 +217,25 @@ LayoutSnapshot Annealer::snapshot() const {
 }
 
 void Annealer::keepBest() {
+  LayoutSnapshot& best = again_ ? bestAgain_ : best_;
   const int violations = layout_.tallies().violations();
   const double plain = plainEnergy(layout_.tallies(), freedoms_);
   // A whole model with parts to buy says more than one that falls apart for want of them.
   const auto rank = std::tuple(violations, missing_, plain + kSame);
-  const bool better = best_.covers.empty() ||
-                      rank < std::tuple(best_.tallies.violations(), best_.missing, best_.energy);
+  const bool better = best.covers.empty() ||
+                      rank < std::tuple(best.tallies.violations(), best.missing, best.energy);
   if (!better) {
     return;
   }
-  ++improvements_;
-  best_ = snapshot();
-  best_.energy = plain;
-  best_.missing = missing_;
-  best_.freedoms = freedoms_;
+  best = snapshot();
+  best.energy = plain;
+  best.missing = missing_;
+  best.freedoms = freedoms_;
+  if (!again_) {
+    ++improvements_;
+  } else if (stiffening_) {
+    offerAgain();
+  }
 }
 
 void Annealer::raiseWeights() {

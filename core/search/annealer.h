@@ -18,17 +18,18 @@ namespace liftarm::search {
 //! \brief Parts of the search that can be switched off, to see what each is worth
 //! (docs/ablations.md).
 struct SearchParts {
-  bool corners = true;  //!< bent beams
-  bool focus = true;    //!< most moves at violated places
-  bool pairs = true;    //!< moves that cover two runs anew
-  bool many = true;     //!< ruin and recreate of several runs
-  bool turns = true;    //!< moves that turn a run's hole axis
-  bool noise = true;    //!< random amounts on the costs of a cover
-  bool growth = true;   //!< violations that stay gain weight
-  bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
-  bool mirrors = true;  //!< moves that mirror a run's layers
-  bool costly = true;   //!< moves at runs with more beams than they need
-  bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
+  bool corners = true;   //!< bent beams
+  bool focus = true;     //!< most moves at violated places
+  bool pairs = true;     //!< moves that cover two runs anew
+  bool many = true;      //!< ruin and recreate of several runs
+  bool turns = true;     //!< moves that turn a run's hole axis
+  bool noise = true;     //!< random amounts on the costs of a cover
+  bool growth = true;    //!< violations that stay gain weight
+  bool walls = true;     //!< a first layout whose lines change layers together (guide/layer_field)
+  bool mirrors = true;   //!< moves that mirror a run's layers
+  bool costly = true;    //!< moves at runs with more beams than they need
+  bool variants = true;  //!< moves that join a junction another way, while stiffening
+  bool orbits = true;    //!< covers that obey the confirmed symmetries, while that can be
 };
 
 struct AnnealingOptions {
@@ -104,7 +105,12 @@ class Annealer final : public LayoutSearch {
   [[nodiscard]] double plainEnergy(const layout::Tallies& tallies, int freedoms) const;
   void raiseWeights();
   void keepBest();
+  void layAgain();
+  void goOnStiffening();
   void beginStiffening();
+  void startAgain();
+  void offerAgain();
+  bool varyConnection(int run);
   [[nodiscard]] LayoutSnapshot snapshot() const;
   bool passes(double limit);
 
@@ -127,8 +133,16 @@ class Annealer final : public LayoutSearch {
   std::uint64_t lastChange_ = 0;
   double temperature_ = 0.0;
   double energy_ = 0.0;
+  // Rounds that make the model stiff: some from the best layout, then some from that of another
+  // start, and so on.
   bool stiffening_ = false;
-  std::uint32_t stiffRounds_ = 0;
+  bool again_ = false;  // another start than that of best_, with a best of its own
+  LayoutSnapshot bestAgain_;
+  double plainTemperature_ = 0.0;  // that rounds start from which do not stiffen
+  std::uint32_t stiffRounds_ = 0;  // of this start ...
+  std::uint32_t plainRounds_ = 0;  // ... before which it had so many of the other kind
+  std::uint32_t allStiffRounds_ = 0;
+  double stiffWork_ = 0.0;                // of all starts, in moves times runs squared
   int freedoms_ = 0;                      // of the current layout, while stiffening
   double freedomCost_ = 0.0;              // of each
   mutable objective::Measures measures_;  // reused: the tallies change, the scale does not

@@ -18,6 +18,7 @@ constexpr double kPickCostly =
     0.5;  // share of moves at a run with more beams than it needs, if any
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBendStiff = 0.25;
+constexpr double kPickVariant = 0.5;  // share of moves of a stiffening round that change no beam
 constexpr double kPickBend = 0.06;    // share of moves that lay a bent beam
 constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
 constexpr std::uint32_t kMostFollowers = 7;
@@ -341,21 +342,6 @@ bool Annealer::mirror(int run, double noise) {
   return true;
 }
 
-//! Settles what was changed; whether the energy is within the limit then. How loose a layout is, is
-//! asked last, and of whole layouts only.
-bool Annealer::passes(double limit) {
-  const int before = freedoms_;
-  freedoms_ = 0;
-  bool within = layout_.settle([&] { return energy() > limit; }) && energy() <= limit;
-  freedoms_ = before;
-  if (within && stiffening_) {
-    freedoms_ = layout_.tallies().violations() == 0 ? options_.freedoms(snapshot()) : before;
-    within = energy() <= limit;
-    freedoms_ = within ? freedoms_ : before;
-  }
-  return within;
-}
-
 void Annealer::move() {
   const int run = pickRun();
   const SearchParts& parts = options_.parts;
@@ -366,8 +352,11 @@ void Annealer::move() {
   const bool corner =
       !many && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
   const bool mirrored = !many && !corner && parts.mirrors && rng_.unit() < kPickMirror;
+  const bool varied = stiffening_ && parts.variants && rng_.unit() < kPickVariant;
   bool changed = false;
-  if (many) {
+  if (varied) {
+    changed = varyConnection(run);
+  } else if (many) {
     changed = recoverMany(run, noise);
   } else if (mirrored) {
     changed = mirror(run, kMirrorNoise * noise);

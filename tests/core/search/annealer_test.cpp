@@ -134,6 +134,41 @@ TEST(Annealer, GoesOnUntilNothingIsLoose) {
   EXPECT_LE(beamsOffLine(run.annealer.best()), 2);
 }
 
+//! Connecting parts that are missing to some number: only dearer connections bring it down.
+int partsShortOf(const LayoutSnapshot& snapshot, int wanted) {
+  return std::max(0, wanted - snapshot.tallies.connectors);
+}
+
+TEST(Annealer, JoinsBeamsAnotherWayUntilNothingIsLoose) {
+  SearchRun plain(testing::squareSketch(8), quick());
+  plain.finish(1000);
+  const int wanted = plain.annealer.best().tallies.connectors + 3;
+  AnnealingOptions options = quick();
+  options.freedoms = [&](const LayoutSnapshot& snapshot) { return partsShortOf(snapshot, wanted); };
+  SearchRun run(testing::squareSketch(8), options);
+  run.finish(1000);
+  EXPECT_EQ(run.annealer.best().tallies.violations(), 0);
+  EXPECT_EQ(run.annealer.best().freedoms, 0);
+  EXPECT_EQ(run.annealer.best().tallies.beams, plain.annealer.best().tallies.beams);
+}
+
+TEST(Annealer, KeepsWhatIsLeastLooseWhenItStartsAgain) {
+  AnnealingOptions options = quick();
+  int least = 100;
+  options.freedoms = [&](const LayoutSnapshot& snapshot) {
+    const int count = 1 + beamsOffLine(snapshot);
+    least = std::min(least, count);
+    return count;
+  };
+  SearchRun run(testing::cubeSketch(8), options);
+  run.finish(1000);
+  const LayoutSnapshot& best = run.annealer.best();
+  EXPECT_EQ(best.tallies.violations(), 0);
+  EXPECT_EQ(best.freedoms, 1 + beamsOffLine(best));
+  EXPECT_LE(best.freedoms, least + 1);
+  EXPECT_EQ(best.freedoms, options.freedoms(best));
+}
+
 TEST(Annealer, StopsAtOnceWhereNothingIsLoose) {
   SearchRun plain(testing::cubeSketch(8), quick());
   plain.finish(1000);

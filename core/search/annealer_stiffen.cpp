@@ -1,0 +1,138 @@
+#include <array>
+#include <tuple>
+
+#include "search/annealer.h"
+
+namespace liftarm::search {
+
+namespace {
+
+constexpr std::uint32_t kStiffRounds = 4;
+// What a freedom costs in the rounds that stiffen one start: half a beam at first, more than any
+// beam at last.
+constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 8, 12, 20};
+// When no more rounds begin, in moves times runs squared, about what they take; but not after too
+// few.
+constexpr double kMostWork = 9e6;
+constexpr std::uint32_t kLeastRounds = 3;
+constexpr std::uint32_t kPlainRounds = 2;  // for another start to become whole
+constexpr double kStiffTemperature = 3.0;
+constexpr double kPlainAgain = 0.25;  // share of moves that go back to the cheapest connection
+constexpr std::uint32_t kVariants = 1U << 20U;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+bool isWhole(const LayoutSnapshot& layout) {
+  return layout.tallies.violations() + layout.missing == 0;
+}
+
+}  // namespace
+
+//! After a round: the next one of this start, or of another start when this one stays loose.
+void Annealer::goOnStiffening() {
+  const auto runs = static_cast<double>(problem_->graph.runs.size());
+  stiffWork_ += stiffening_ || again_ ? static_cast<double>(roundLength_) * runs * runs : 0.0;
+  if (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork) {
+    done_ = true;
+    return;
+  }
+  if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < kStiffRounds) {
+    beginStiffening();
+    done_ = best_.freedoms == 0;
+  } else if (again_ && !stiffening_ && ++plainRounds_ < kPlainRounds) {
+    beginRound();
+  } else {
+    startAgain();
+  }
+}
+
+//! A further round from the best layout of this start, in which what is loose costs too.
+void Annealer::beginStiffening() {
+  LayoutSnapshot& best = again_ ? bestAgain_ : best_;
+  layout_.restore(best.covers, best.junctions);
+  if (!stiffening_) {
+    stiffening_ = true;
+    plainTemperature_ = options_.startTemperature;
+    options_.startTemperature = kStiffTemperature;
+    best.freedoms = options_.freedoms(best);
+  }
+  freedomCost_ = kFreedomCosts[stiffRounds_];
+  ++stiffRounds_;
+  ++allStiffRounds_;
+  best.energy = plainEnergy(best.tallies, best.freedoms);
+  if (again_) {
+    offerAgain();
+  }
+  missing_ = best.missing;
+  freedoms_ = best.freedoms;
+  energy_ = energy();
+  beginRound();
+}
+
+//! Other hole axes, first without a thought for what is loose.
+void Annealer::startAgain() {
+  if (stiffening_) {
+    options_.startTemperature = plainTemperature_;
+  }
+  stiffening_ = false;
+  again_ = true;
+  bestAgain_ = {};
+  freedoms_ = 0;
+  freedomCost_ = 0.0;
+  stiffRounds_ = 0;
+  plainRounds_ = 0;
+  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
+    layout_.setVariant(static_cast<int>(j), 0);
+  }
+  layAgain();
+  beginRound();
+  keepBest();
+}
+
+//! The best of this start is the best of all where it is less loose for what it costs.
+void Annealer::offerAgain() {
+  const auto rank = [&](const LayoutSnapshot& layout) {
+    const double freedoms = kFreedomCosts.back() * layout.freedoms;
+    measures_.tallies = layout.tallies;
+    return std::tuple(layout.tallies.violations(),
+                      layout.missing,
+                      objective::value(measures_, softWeights_) + freedoms);
+  };
+  if (rank(bestAgain_) < rank(best_)) {
+    best_ = bestAgain_;
+    ++improvements_;
+  }
+}
+
+//! Settles what was changed; whether the energy is within the limit then. How loose a layout is, is
+//! asked last, and of whole layouts only.
+bool Annealer::passes(double limit) {
+  const int before = freedoms_;
+  freedoms_ = 0;
+  bool within = layout_.settle([&] { return energy() > limit; }) && energy() <= limit;
+  freedoms_ = before;
+  if (within && stiffening_) {
+    freedoms_ = layout_.tallies().violations() == 0 ? options_.freedoms(snapshot()) : before;
+    within = energy() <= limit;
+    freedoms_ = within ? freedoms_ : before;
+  }
+  return within;
+}
+
+//! Joins the beams of a junction of this run another way: what is dearer may be stiffer.
+bool Annealer::varyConnection(int run) {
+  const std::vector<int>& met = problem_->graph.runs[at(run)].junctions;
+  if (met.empty()) {
+    return false;
+  }
+  const int junction = met[rng_.below(static_cast<std::uint32_t>(met.size()))];
+  const std::uint32_t before = layout_.junction(junction).variant;
+  const std::uint32_t variant =
+      before != 0 && rng_.unit() < kPlainAgain ? 0 : 1 + rng_.below(kVariants);
+  layout_.setVariant(junction, variant);
+  return true;
+}
+
+}  // namespace liftarm::search
