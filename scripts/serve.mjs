@@ -1,13 +1,16 @@
 // Serves the built page from dist/. `--port N` is taken when it is free, else another one; `--host`
 // makes it reachable from other machines.
-import { createReadStream, existsSync, statSync } from 'node:fs';
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
+import { gzipSync } from 'node:zlib';
 import { exitWith, freePort, StepError, TOP } from './lib/run.mjs';
 
 const DIST = resolve(TOP, 'dist');
 const DEFAULT_PORT = 4173;
+const PACKABLE = /text|json|svg|wasm/;
+const packedFiles = new Map();
 const TYPES = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
@@ -40,13 +43,32 @@ function answer(request, response) {
     response.writeHead(404, { 'content-type': 'text/plain' }).end('not found\n');
     return;
   }
-  response.writeHead(200, {
-    'content-type': TYPES[extname(file)] ?? 'application/octet-stream',
-    'content-length': statSync(file).size,
-    // The names of built files change with their content, but a rebuild must show at once.
-    'cache-control': 'no-cache',
-  });
-  createReadStream(file).pipe(response);
+  const type = TYPES[extname(file)] ?? 'application/octet-stream';
+  const { size, mtimeMs } = statSync(file);
+  const etag = `"${size.toString(36)}-${Math.round(mtimeMs).toString(36)}"`;
+  // The names of built files change with their content, but a rebuild must show at once.
+  const head = { 'content-type': type, 'cache-control': 'no-cache', etag };
+  if (request.headers['if-none-match'] === etag) {
+    response.writeHead(304, head).end();
+  } else if (PACKABLE.test(type) && /\bgzip\b/.test(request.headers['accept-encoding'] ?? '')) {
+    const packed = packedFile(file, etag);
+    const more = { 'content-encoding': 'gzip', 'content-length': packed.length };
+    response.writeHead(200, { ...head, ...more }).end(packed);
+  } else {
+    response.writeHead(200, { ...head, 'content-length': size });
+    createReadStream(file).pipe(response);
+  }
+}
+
+/** Compressed once for each state of a file. */
+function packedFile(file, etag) {
+  const known = packedFiles.get(file);
+  if (known?.etag === etag) {
+    return known.bytes;
+  }
+  const bytes = gzipSync(readFileSync(file));
+  packedFiles.set(file, { etag, bytes });
+  return bytes;
 }
 
 /** @returns the address that is served. */

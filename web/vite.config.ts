@@ -1,6 +1,6 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vitest/config';
-import { contentPolicy, serviceWorker } from './pwa/build-plugin.ts';
+import { contentPolicy, serviceWorker, solverPreload } from './pwa/build-plugin.ts';
 
 const root = import.meta.dirname;
 const top = resolve(root, '..');
@@ -16,7 +16,7 @@ export default defineConfig({
   cacheDir: resolve(top, 'node_modules/.vite'),
   resolve: { alias: { '@wasm': wasm } },
   worker: { format: 'es' },
-  plugins: [contentPolicy(), serviceWorker(() => outDir)],
+  plugins: [contentPolicy(), solverPreload(), serviceWorker(() => outDir)],
   server: { fs: { allow: [top] } },
   build: {
     // three.js alone is more than the default of 500 kB; e2e holds a budget for the whole page.

@@ -12,6 +12,12 @@ export async function loadExamples(fetchJson: FetchJson): Promise<Example[]> {
   return loaded.filter((example) => example !== null);
 }
 
+/** The first of them alone: what a first visit begins with. */
+export async function loadFirstExample(fetchJson: FetchJson): Promise<Example | null> {
+  const [row] = entriesOf(await fetchJson('examples/index.json'));
+  return row ? loadExample(row, fetchJson) : null;
+}
+
 interface IndexRow {
   readonly file: string;
   readonly title: string;

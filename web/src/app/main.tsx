@@ -28,7 +28,7 @@ import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
-import { loadExamples } from './example-list.ts';
+import { loadExamples, loadFirstExample } from './example-list.ts';
 import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
 import { PageController } from './page-controller.ts';
@@ -153,9 +153,8 @@ async function openFirst(controller: PageController, saved: SavedSketch | null):
   if (await openLink(controller, saved?.sketch ?? null)) {
     return;
   }
-  state.examples.value = await loadExamples(fetchJson).catch(() => []);
-  const first = state.examples.value[0];
-  if (!saved && first) {
+  const first = saved ? null : await loadFirstExample(fetchJson).catch(() => null);
+  if (first) {
     turnUntilTouched(scene);
     const sketch = { ...first.sketch, name: first.title };
     controller.shelf.leave(sketch);
@@ -218,7 +217,7 @@ async function start(): Promise<void> {
     const name = store.sketch.value.name;
     document.title = name ? `${name} – ${text.app.name}` : text.app.name;
   });
-  state.examples.value ??= await loadExamples(fetchJson).catch(() => []);
+  state.examples.value = await loadExamples(fetchJson).catch(() => []);
 }
 
 /** A link that is pasted into the address of the open page is opened as if the page were new. */

@@ -24,6 +24,7 @@ import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { Actions, CameraMove } from './actions.ts';
+import { FIRST_MODEL } from './first-model.ts';
 import { PageFiles } from './page-files.ts';
 import { PageState } from './page-state.ts';
 import { SceneBridge } from './scene-bridge.ts';
@@ -256,6 +257,7 @@ export class PageController implements Actions {
       if (shown?.report && opened && opened !== fitted) {
         fitted = opened;
         this.fit();
+        performance.mark(FIRST_MODEL);
       }
     });
   }

@@ -4,10 +4,12 @@ import type {
   FromWorker,
   Question,
   SolveProgress,
+  SolverBinary,
   SolveSeconds,
   SolveSettings,
   ToWorker,
 } from './protocol.ts';
+import { compiledSolver } from './solver-binary.ts';
 
 /** How a solve ended. Crashes are not in it: those reject with a SolverError. */
 export type SolveResult =
@@ -74,10 +76,14 @@ const CLIENT_DEFAULTS: ClientOptions = Object.freeze({
 });
 
 function startSolverWorker(): WorkerPort {
-  return new Worker(new URL('./worker.ts', import.meta.url), {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), {
     type: 'module',
     name: 'liftarm-solver',
-  }) as WorkerPort;
+  });
+  void compiledSolver().then((module) => {
+    worker.postMessage({ kind: 'binary', module } satisfies SolverBinary);
+  });
+  return worker as WorkerPort;
 }
 
 /** One open job: what was asked, so that it can be asked again of a new worker, and how it settles. */

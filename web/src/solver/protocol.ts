@@ -129,3 +129,9 @@ export type FromWorker =
 export function endsJob(reply: FromWorker): boolean {
   return reply.kind !== 'progress';
 }
+
+/** What each worker waits for before its first job: the compiled module, or null to load it by itself. */
+export interface SolverBinary {
+  readonly kind: 'binary';
+  readonly module: WebAssembly.Module | null;
+}

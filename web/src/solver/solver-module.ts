@@ -56,6 +56,11 @@ export interface SolverModule {
 export interface SolverModuleOptions {
   readonly wasmBinary?: Uint8Array;
   readonly locateFile?: (name: string) => string;
+  /** Instantiates the module in place of the loader, which would fetch it. */
+  readonly instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ) => object;
   /** A line that the module writes to stderr: the place of a failed check. */
   readonly printErr?: (line: string) => void;
 }

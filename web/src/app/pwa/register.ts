@@ -1,4 +1,5 @@
 import { chooseWords } from '../../ui/text/language.ts';
+import { FIRST_MODEL } from '../first-model.ts';
 import '../../../styles/update.css';
 
 const WORDS = chooseWords(
@@ -10,6 +11,8 @@ const WORDS = chooseWords(
   { ready: 'Eine neue Version ist da. Deine Skizze bleibt.', reload: 'Neu laden', later: 'Später' },
 );
 
+/** Nothing is searched for on an empty page, or by those who want it so. */
+const PATIENCE_MS = 4000;
 const CHECK_EVERY_MS = 60 * 60 * 1000;
 
 /** Asks before the new version takes over; the sketch is saved with every edit, so nothing is lost. */
@@ -73,10 +76,18 @@ function begin(): void {
 }
 
 if ('serviceWorker' in navigator && import.meta.env.PROD) {
-  // What is on screen comes first. The page's own start may take longer than the loading of its files.
-  if (document.readyState === 'complete') {
-    begin();
-  } else {
-    window.addEventListener('load', begin);
-  }
+  // What is on screen comes first: keeping all files for later would take the network from the first model.
+  let begun = false;
+  const beginOnce = () => {
+    if (!begun) {
+      begun = true;
+      begin();
+    }
+  };
+  new PerformanceObserver((list) => {
+    if (list.getEntriesByName(FIRST_MODEL).length > 0) {
+      beginOnce();
+    }
+  }).observe({ type: 'mark', buffered: true });
+  setTimeout(beginOnce, PATIENCE_MS);
 }
