@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { linkOf, publicSketch } from './helpers/links.ts';
 import { bytesOf } from './helpers/rooms.ts';
-import { expect, test } from './helpers/test.ts';
+import { expect, test, withoutDrawing } from './helpers/test.ts';
 import { VersionServer } from './helpers/version-server.ts';
 
 test.use({ draws: false });
@@ -40,14 +40,22 @@ test('a link opens without a network and gives the same model, byte for byte', a
   const server = await VersionServer.start();
   const address = server.address;
   const link = `?room=share${await linkOf(publicSketch('gallery/claw'))}`;
-  await page.goto(address + link);
-  const online = await modelOf(page);
   const context = await browser.newContext();
   const other = await context.newPage();
-  await other.goto(address);
-  await installed(other);
+  await other.addInitScript(withoutDrawing);
+  const first = async () => {
+    await page.goto(address + link);
+    return modelOf(page);
+  };
+  const second = async () => {
+    await other.goto(address);
+    await installed(other);
+  };
+  const [online] = await Promise.all([first(), second()]);
+  // Made in the one profile, as it stands in its address; opened in the other, without a network.
+  await expect(page).toHaveURL(/#s\d+\./);
   await server.stop();
-  await other.goto(address + link);
+  await other.goto(page.url());
   expect(await modelOf(other)).toBe(online);
   await context.close();
 });

@@ -30,7 +30,7 @@ export const test = base.extend<Options>({
 });
 
 /** Runs in the page: everything works as ever, only that no pixel is touched. */
-function withoutDrawing(): void {
+export function withoutDrawing(): void {
   const gl = WebGL2RenderingContext.prototype;
   const nothing = () => undefined;
   gl.drawArrays = nothing;
