@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "analysis/check.h"
 #include "analysis/coverage.h"
 #include "analysis/freedoms_query.h"
 #include "analysis/scene.h"
@@ -22,6 +23,17 @@ std::function<int(const search::LayoutSnapshot&)> makeLooseness(
     const analysis::FreedomsQuery query = analysis::makeFreedomsQuery(
         scene, analysis::findCoverage(scene), analysis::Friction::kFree);
     return analysis::countFreedomsBeyondJoints(query);
+  };
+}
+
+std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
+    const layout::LayoutProblem& problem,
+    const mechanisms::MechanismTable& table,
+    const sketch::Sketch& sketch) {
+  const std::string text = sketch::writeSketch(sketch);
+  return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
+    const model::Model model = buildModel(problem, table, snapshot, "", text);
+    return analysis::checkModel(model, parts::Catalogue::builtIn()).buildable;
   };
 }
 

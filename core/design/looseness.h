@@ -17,4 +17,11 @@ std::function<int(const search::LayoutSnapshot&)> makeLooseness(
     const mechanisms::MechanismTable& table,
     const sketch::Sketch& sketch);
 
+//! \brief Whether a layout's model is buildable: all of DESIGN 5, by the model wing. \pre problem,
+//! table and sketch outlive the function.
+std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
+    const layout::LayoutProblem& problem,
+    const mechanisms::MechanismTable& table,
+    const sketch::Sketch& sketch);
+
 }  // namespace liftarm::design

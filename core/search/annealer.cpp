@@ -227,7 +227,11 @@ void Annealer::keepBest() {
   if (!better) {
     return;
   }
-  best = snapshot();
+  LayoutSnapshot candidate = snapshot();
+  if (stiffening_ && !isBuildable(candidate)) {
+    return;
+  }
+  best = std::move(candidate);
   best.energy = plain;
   best.missing = missing_;
   best.freedoms = freedoms_;

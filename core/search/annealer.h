@@ -48,6 +48,9 @@ struct AnnealingOptions {
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
+  //! Whether a layout is buildable in earnest; empty: each is that has no violations. Dear as well:
+  //! the rounds that ask for freedoms keep no layout as their best before asking this.
+  std::function<bool(const LayoutSnapshot&)> buildable;
 };
 
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
@@ -110,6 +113,7 @@ class Annealer final : public LayoutSearch {
   void beginStiffening();
   void startAgain();
   void offerAgain();
+  [[nodiscard]] bool isBuildable(const LayoutSnapshot& layout) const;
   bool varyConnection(int run);
   [[nodiscard]] LayoutSnapshot snapshot() const;
   bool passes(double limit);

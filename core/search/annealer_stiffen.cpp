@@ -56,7 +56,8 @@ void Annealer::beginStiffening() {
     stiffening_ = true;
     plainTemperature_ = options_.startTemperature;
     options_.startTemperature = kStiffTemperature;
-    best.freedoms = options_.freedoms(best);
+    // What cannot be built is to give way to anything that can and is as stiff.
+    best.freedoms = options_.freedoms(best) + (isBuildable(best) ? 0 : 1);
   }
   freedomCost_ = kFreedomCosts[stiffRounds_];
   ++stiffRounds_;
@@ -119,6 +120,10 @@ bool Annealer::passes(double limit) {
     freedoms_ = within ? freedoms_ : before;
   }
   return within;
+}
+
+bool Annealer::isBuildable(const LayoutSnapshot& layout) const {
+  return !options_.buildable || options_.buildable(layout);
 }
 
 //! Joins the beams of a junction of this run another way: what is dearer may be stiffer.

@@ -169,6 +169,15 @@ TEST(Annealer, KeepsWhatIsLeastLooseWhenItStartsAgain) {
   EXPECT_EQ(best.freedoms, options.freedoms(best));
 }
 
+TEST(Annealer, KeepsNothingStiffThatCannotBeBuilt) {
+  AnnealingOptions options = quick();
+  options.freedoms = [](const LayoutSnapshot& snapshot) { return beamsOffLine(snapshot); };
+  options.buildable = [](const LayoutSnapshot& snapshot) { return beamsOffLine(snapshot) >= 3; };
+  SearchRun run(testing::cubeSketch(8), options);
+  run.finish(1000);
+  EXPECT_EQ(beamsOffLine(run.annealer.best()), 3);
+}
+
 TEST(Annealer, StopsAtOnceWhereNothingIsLoose) {
   SearchRun plain(testing::cubeSketch(8), quick());
   plain.finish(1000);
