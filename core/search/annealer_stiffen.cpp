@@ -13,8 +13,11 @@ constexpr std::uint32_t kStiffRounds = 4;
 constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 8, 12, 20};
 // When no more rounds begin, in moves times runs squared, about what they take; but not after too
 // few.
-constexpr double kMostWork = 9e6;
+constexpr double kMostWork = 1.5e7;
 constexpr std::uint32_t kLeastRounds = 3;
+// What has more freedoms left than these after so many rounds is not made to be stiff.
+constexpr std::uint32_t kHopefulRounds = 9;
+constexpr int kFewFreedoms = 6;
 constexpr std::uint32_t kPlainRounds = 2;  // for another start to become whole
 constexpr double kStiffTemperature = 3.0;
 constexpr double kPlainAgain = 0.25;  // share of moves that go back to the cheapest connection
@@ -34,7 +37,8 @@ bool isWhole(const LayoutSnapshot& layout) {
 void Annealer::goOnStiffening() {
   const auto runs = static_cast<double>(problem_->graph.runs.size());
   stiffWork_ += stiffening_ || again_ ? static_cast<double>(roundLength_) * runs * runs : 0.0;
-  if (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork) {
+  const bool hopeless = allStiffRounds_ >= kHopefulRounds && best_.freedoms > kFewFreedoms;
+  if (hopeless || (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
     done_ = true;
     return;
   }
