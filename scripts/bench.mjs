@@ -1,14 +1,14 @@
 // `npm run bench -- SKETCHES... [--seeds N]`: seconds of search by the native command and by the shipped
 // WebAssembly module in Node, one thread each, one after the other. Both must give the same model.
-// `--browser` runs the module in Chromium. `--checks` measures the checks of the models instead: milliseconds of each in WebAssembly, and of
-// `liftarm check`, start and reading included.
+// `--browser` runs the module in Chromium. `--checks` measures the checks of the models instead: milliseconds of each in WebAssembly, the
+// first time and later, and of `liftarm check`, start and reading included; with `--browser` in Chromium too.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { availableParallelism, cpus, loadavg } from 'node:os';
 import { basename, join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { timeChecks } from './lib/bench-checks.mjs';
-import { openBrowserSolver } from './lib/browser-solver.mjs';
+import { CHECKS, timeChecks } from './lib/bench-checks.mjs';
+import { openBrowserSolver, timeChecksInBrowser } from './lib/browser-solver.mjs';
 import { loadCore } from './lib/load-core.mjs';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { median } from './lib/statistics.mjs';
@@ -75,21 +75,43 @@ function checkNative(file) {
 const cells = (...numbers) =>
   numbers.map((number) => (number === null ? '-' : number.toFixed(0)).padStart(12)).join('');
 
-async function benchChecks(sketches, repeats) {
-  console.log(`milliseconds; medians over ${repeats} calls after the first`);
-  console.log(`${''.padEnd(24)}   first cpu         cpu        wall native wall`);
-  const core = await loadCore();
+async function benchChecks(sketches, repeats, inBrowser) {
+  console.log(`milliseconds; later: medians over ${repeats} calls after the first`);
+  console.log('own: of the thread that answers; all: with the compiler beside it');
+  console.log(
+    `${''.padEnd(24)}   first own   first all   later own  later wall native wall${
+      inBrowser ? ' Chrome first Chrome later' : ''
+    }`,
+  );
   for (const sketch of sketches) {
     const { file, model } = solveNative(sketch, 1);
     console.log(`${basename(sketch, '.sketch.json')}, ${JSON.parse(model).parts.length} parts`);
     const native = median(Array.from({ length: repeats }, () => checkNative(file)));
-    const rows = timeChecks(core, model, repeats);
-    for (const { check, first, processor, wall } of rows) {
-      const beside = check === 'buildable' ? native : null;
-      console.log(`  ${check.padEnd(22)}${cells(first, processor, wall, beside)}`);
+    // Node keeps what it compiled: in it only the first model of a run has a true first call.
+    const rows = timeChecks(await loadCore(), model, repeats);
+    const there = inBrowser ? await timeChecksInBrowser(CHECKS, model, repeats) : [];
+    const row = (title, { first, later }, beside, browser) =>
+      console.log(
+        `  ${title.padEnd(22)}${cells(first.own, first.all, later.own, later.wall, beside)}${
+          browser ? cells(browser.first, browser.later) : ''
+        }`,
+      );
+    for (const [i, times] of rows.entries()) {
+      row(times.check, times, times.check === 'buildable' ? native : null, there[i]);
     }
-    const sum = (key) => rows.reduce((total, row) => total + row[key], 0);
-    console.log(`  ${'all'.padEnd(22)}${cells(sum('first'), sum('processor'), sum('wall'), null)}`);
+    const sum = (of) => rows.reduce((total, times) => total + of(times), 0);
+    const total = (call) => ({
+      own: sum((times) => times[call].own),
+      all: sum((times) => times[call].all),
+      wall: sum((times) => times[call].wall),
+    });
+    const inAll = (call) => there.reduce((all, times) => all + times[call], 0);
+    row(
+      'all',
+      { first: total('first'), later: total('later') },
+      null,
+      inBrowser && { first: inAll('first'), later: inAll('later') },
+    );
   }
 }
 
@@ -119,10 +141,10 @@ async function main() {
     },
   });
   if (positionals.length === 0) {
-    throw new StepError('npm run bench -- SKETCHES... [--seeds N] [--browser | --checks]');
+    throw new StepError('npm run bench -- SKETCHES... [--seeds N] [--browser] [--checks]');
   }
   if (values.checks) {
-    return benchChecks(positionals, 7);
+    return benchChecks(positionals, 7, values.browser);
   }
   const seeds = Array.from({ length: Number(values.seeds) }, (_, i) => i + 1);
   console.log(

@@ -43,13 +43,49 @@ function solveThere({ sketch, settings, slice }) {
   return { seconds, model };
 }
 
-/** @returns `solve(sketchJson, settings)` -> {seconds, model}, and `close()`. */
-export async function openBrowserSolver(slice = 500) {
+/** Runs in the browser. */
+function checkThere({ checks, model, repeats }) {
+  const timed = (name, more) => {
+    const start = performance.now();
+    const { status, text } = globalThis.liftarmCore[name](model, ...more);
+    if (status !== 'ok') {
+      throw new Error(text);
+    }
+    return performance.now() - start;
+  };
+  const first = checks.map(([, name, more]) => timed(name, more));
+  return checks.map(([, name, more], i) => {
+    const later = Array.from({ length: repeats }, () => timed(name, more)).sort((a, b) => a - b);
+    return { first: first[i], later: later[Math.floor(repeats / 2)] };
+  });
+}
+
+async function openPage() {
   const browser = await launchBrowser();
   const page = await browser.newPage();
   await page.route(`${ORIGIN}/**`, answer);
   await page.goto(`${ORIGIN}/`);
   await page.waitForFunction(() => globalThis.liftarmCore !== undefined);
+  return { browser, page };
+}
+
+/**
+ * The checks of a model in a browser just started.
+ * @param checks as CHECKS of bench-checks.mjs
+ * @returns {Promise<{first: number, later: number}[]>} milliseconds on the wall, one row for each check
+ */
+export async function timeChecksInBrowser(checks, model, repeats) {
+  const { browser, page } = await openPage();
+  try {
+    return await page.evaluate(checkThere, { checks, model, repeats });
+  } finally {
+    await browser.close();
+  }
+}
+
+/** @returns `solve(sketchJson, settings)` -> {seconds, model}, and `close()`. */
+export async function openBrowserSolver(slice = 500) {
+  const { browser, page } = await openPage();
   return {
     solve: (sketch, settings) =>
       page.evaluate(solveThere, { sketch, settings: JSON.stringify(settings), slice }),
