@@ -17,7 +17,23 @@ bool parallel(const Link& p, const Link& q) {
   return lattice::length(lattice::cross(p.axis, q.axis)) < kParallel;
 }
 
+//! Plain pins and axles have no ridges; pins of connectors have them like pins with friction.
+bool hasRidges(const parts::Part& part, int feature) {
+  return part.features[static_cast<std::size_t>(feature)].kind == parts::FeatureKind::kPin &&
+         (part.friction || part.partClass != parts::PartClass::kPin);
+}
+
 }  // namespace
+
+Play playOf(const Scene& scene, const model::Connection& connection, Friction friction) {
+  if (connection.fit == model::Fit::kRigid) {
+    return {};
+  }
+  const bool held = friction == Friction::kHeld;
+  const parts::Part& male = *scene.parts[static_cast<std::size_t>(connection.male)].part;
+  return {!held || !hasRidges(male, connection.maleFeature),
+          !held && connection.fit == model::Fit::kSlide};
+}
 
 Linkage linkageOf(const Scene& scene, Friction friction) {
   Linkage linkage;
@@ -34,9 +50,9 @@ Linkage linkageOf(const Scene& scene, Friction friction) {
     Link link;
     link.a = c.male;
     link.b = c.female;
-    link.shifts = c.fit == model::Fit::kSlide;
-    const bool holds = friction == Friction::kHeld && part.friction && !link.shifts;
-    link.turns = c.fit != model::Fit::kRigid && !holds;
+    const Play play = playOf(scene, c, friction);
+    link.turns = play.turns;
+    link.shifts = play.shifts;
     link.at = pose.apply(head.center);
     link.axis = lattice::normalized(pose.rotation * head.axis);
     linkage.links.push_back(link);

@@ -23,11 +23,20 @@ struct Linkage {
   std::vector<Link> links;
 };
 
-//! \brief How pins with friction are counted.
+//! \brief Whether friction counts.
 enum class Friction {
-  kFree,  //!< every pin in a pin hole turns
-  kHeld   //!< a pin with friction holds what it joins
+  kFree,  //!< every pin in a pin hole turns, every axle in one turns and slides
+  kHeld   //!< pins with ridges hold, those of connectors too; no axle slides. The rest turns
 };
+
+//! \brief What a fit lets go of.
+struct Play {
+  bool turns = false;   //!< about the head's axis
+  bool shifts = false;  //!< along it
+};
+
+//! \brief The one notion of what friction holds, for freedoms and for stress. \pre The fit is good.
+Play playOf(const Scene& scene, const model::Connection& connection, Friction friction);
 
 //! \brief The linkage of a model; body i is part i.
 //! \details Pin in pin hole: turns (5 constraints). Axle in pin hole: turns and shifts (4). Axle in

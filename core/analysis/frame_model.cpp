@@ -147,16 +147,13 @@ class Builder {
     const double modules = std::min(head.length / static_cast<double>(head.slots.size()),
                                     hole.length / static_cast<double>(hole.slots.size()));
     const double length = modules * kMillimetresPerModule;
-    const bool held = idleHolds_[static_cast<std::size_t>(index)] ||
-                      options_.friction == FitHold::kLocked ||
-                      (options_.friction == FitHold::kHeld && frictionHolds(head, c.male));
+    const Play play =
+        idleHolds_[static_cast<std::size_t>(index)] ? Play{} : playUnder(options_.friction, c);
     const double across = fitStiffness(length);
     const double rocking = fitRockingStiffness(length);
-    double along = across;
-    double turning = held ? options_.heldStiffness : 0.0;
-    if (c.fit == Fit::kSlide && !held) {
-      along = 0.0;
-    } else if (c.fit == Fit::kRigid) {
+    const double along = play.shifts ? 0.0 : across;
+    double turning = play.turns ? 0.0 : options_.heldStiffness;
+    if (c.fit == Fit::kRigid) {
       // The wings bear on the sides of the cross hole, on average a quarter of their span away.
       turning = across * kAxleAcross * kAxleAcross / 16.0;
     }
@@ -171,11 +168,16 @@ class Builder {
     result_.connectionOfSpring.push_back(index);
   }
 
-  //! Pins of connectors have the ridges of friction pins; only plain pins turn freely.
-  [[nodiscard]] bool frictionHolds(const parts::Feature& head, int male) const {
-    const parts::Part& part = *scene_.parts[static_cast<std::size_t>(male)].part;
-    return head.kind != parts::FeatureKind::kPin || part.partClass != parts::PartClass::kPin ||
-           part.friction;
+  [[nodiscard]] Play playUnder(FitHold hold, const Connection& c) const {
+    switch (hold) {
+      case FitHold::kFree:
+        return playOf(scene_, c, Friction::kFree);
+      case FitHold::kHeld:
+        return playOf(scene_, c, Friction::kHeld);
+      case FitHold::kLocked:
+        break;
+    }
+    return {};
   }
 
   void addWeights() {

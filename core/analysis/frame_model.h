@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "analysis/constraints.h"
 #include "analysis/frame.h"
 #include "analysis/frame_skeleton.h"
 #include "analysis/loads.h"
@@ -12,8 +13,8 @@ namespace liftarm::analysis {
 
 //! \brief What friction is taken to hold.
 enum class FitHold {
-  kFree,   //!< nothing: every pin and axle in a round hole turns freely, axles slide
-  kHeld,   //!< friction pins, pins of connectors and axles in round holes; plain pins turn
+  kFree,   //!< nothing: Friction::kFree
+  kHeld,   //!< what Friction::kHeld does
   kLocked  //!< every fit
 };
 

@@ -25,6 +25,10 @@ Vec3 translation(const Six& six) {
   return {six[0], six[1], six[2]};
 }
 
+Vec3 rotation(const Six& six) {
+  return {six[3], six[4], six[5]};
+}
+
 //! Parts that move, those that move most first.
 std::vector<int> movingParts(const FrameModel& model, const std::vector<Six>& motion) {
   std::vector<std::pair<double, int>> found;
@@ -73,6 +77,26 @@ std::string adviceFor(FitHold friction) {
 }
 
 //! Gives the state of a frame that moves.
+//! Whether a motion moves the whole frame as one: it does not fold, it rolls or tips over.
+bool movesAsOne(const Frame& frame, const std::vector<Six>& motion) {
+  constexpr double kShare = 1e-4;  // of the greatest displacement
+  const Vec3 turn = rotation(motion.front());
+  double greatest = 0.0;
+  double apart = 0.0;
+  for (std::size_t node = 0; node < motion.size(); ++node) {
+    const Vec3 arm = frame.nodes[node] - frame.nodes.front();
+    const Vec3 expected = translation(motion.front()) + lattice::cross(turn, arm);
+    const double unit = std::max(1.0, lattice::length(arm));
+    greatest = std::max({greatest,
+                         lattice::length(translation(motion[node])),
+                         unit * lattice::length(rotation(motion[node]))});
+    apart = std::max({apart,
+                      lattice::length(translation(motion[node]) - expected),
+                      unit * lattice::length(rotation(motion[node]) - turn)});
+  }
+  return apart < kShare * greatest;
+}
+
 void tellMotion(const Scene& scene, const char* how, FitHold friction, StressState& state) {
   state.stands = false;
   state.moving = movingParts(state.model, state.displacements);
@@ -290,9 +314,11 @@ base::Result<StressState> solveStress(const Scene& scene, const StressOptions& o
   state.stands = end == ContactSolver::End::kStands;
   state.touching = solver.active();
   state.displacements = solver.displacements();
-  if (end == ContactSolver::End::kFolds) {
+  const bool folds =
+      end == ContactSolver::End::kFolds && !movesAsOne(state.model.frame, state.displacements);
+  if (folds) {
     tellMotion(scene, "These parts can move without resistance", options.friction, state);
-  } else if (end == ContactSolver::End::kTips) {
+  } else if (end == ContactSolver::End::kTips || end == ContactSolver::End::kFolds) {
     tellMotion(scene, "The model tips over or slides away", options.friction, state);
   } else if (end == ContactSolver::End::kUndecided) {
     return base::Error{base::Status::kInfeasible,

@@ -87,6 +87,43 @@ TEST(Freedoms, FrictionHoldsTheSquare) {
   EXPECT_EQ(freedomsOf(testing::squareFrame(), Friction::kHeld).internal, 0);
 }
 
+//! What the fits of a model let go of, each expected to be the same.
+void expectPlay(const model::Model& model, Friction friction, Play expected) {
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+  int fits = 0;
+  for (const model::Connection& c : scene.connections) {
+    const Play play = playOf(scene, c, friction);
+    EXPECT_EQ(play.turns, expected.turns);
+    EXPECT_EQ(play.shifts, expected.shifts);
+    ++fits;
+  }
+  EXPECT_GT(fits, 1);
+}
+
+model::Model squareOn(const char* pin) {
+  model::Model model = testing::squareFrame();
+  for (std::size_t i = 4; i < 8; ++i) {
+    model.parts[i].part = pin;
+  }
+  return model;
+}
+
+TEST(Friction, HoldsPinsWithRidgesAndThoseOfConnectors) {
+  for (const model::Model& model : {squareOn("2780"), testing::cornerOfTwoBeams()}) {
+    expectPlay(model, Friction::kFree, {true, false});
+    expectPlay(model, Friction::kHeld, {false, false});
+  }
+}
+
+TEST(Friction, LetsPlainPinsTurn) {
+  expectPlay(squareOn("3673"), Friction::kHeld, {true, false});
+}
+
+TEST(Friction, KeepsAxlesFromSlidingButNotFromTurning) {
+  expectPlay(squareOn("3704"), Friction::kFree, {true, true});
+  expectPlay(squareOn("3704"), Friction::kHeld, {true, false});
+}
+
 TEST(Freedoms, PinsThatSpinAreToldApart) {
   const Freedoms freedoms = freedomsOf(testing::squareFrame(), Friction::kFree);
   EXPECT_EQ(freedoms.spinning, 4);

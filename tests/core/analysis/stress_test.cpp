@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "analysis/freedoms.h"
+#include "analysis/freedoms_query.h"
 #include "core/helpers/models.h"
 #include "core/helpers/solved.h"
 
@@ -234,6 +238,28 @@ TEST(Model, WithAnAxleThatOnlySpinsStandsWithoutFriction) {
   // Through two holes of the upright beam.
   model.parts.push_back(testing::pinAt("4519", {0, 1, 4}, kY));
   EXPECT_TRUE(solvedState(model, withFriction(FitHold::kFree)).stands);
+}
+
+TEST(Model, FoldsWhereItHasAFreedomAndNowhereElse) {
+  std::vector<model::Model> models = testing::buildableModels();
+  models.push_back(testing::squareFrame());
+  for (std::size_t pin = 4; pin < 8; ++pin) {
+    models.back().parts[pin].part = "3673";
+  }
+  int refused = 0;
+  for (const model::Model& model : models) {
+    const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+    for (const auto& [hold, friction] :
+         {std::pair(FitHold::kFree, Friction::kFree), std::pair(FitHold::kHeld, Friction::kHeld)}) {
+      const FreedomsQuery query = makeFreedomsQuery(scene, findCoverage(scene), friction);
+      const bool rigid = findFreedoms(query).internal == 0;
+      const StressState state = solvedState(model, withFriction(hold));
+      const bool tips = state.message.find("tips over") != std::string::npos;
+      EXPECT_EQ(state.stands || tips, rigid) << model.name << ": " << state.message;
+      refused += rigid ? 0 : 1;
+    }
+  }
+  EXPECT_GT(refused, 2);
 }
 
 TEST(Locked, HoldsPinsWithoutFriction) {
