@@ -71,10 +71,17 @@ export function LessonsRoom() {
           </button>
         )}
         <span class="lessons-space" />
-        <button type="button" class="button" onClick={() => go('teacher')}>
-          {words.teacher}
-        </button>
-        <button type="button" class="button" aria-pressed={presenting} onClick={present}>
+        {presenting ? null : (
+          <button type="button" class="button" onClick={() => go('teacher')}>
+            {words.teacher}
+          </button>
+        )}
+        <button
+          type="button"
+          class="button lessons-present"
+          aria-pressed={presenting}
+          onClick={present}
+        >
           {presenting ? words.presentEnd : words.present}
         </button>
       </nav>
@@ -128,7 +135,7 @@ function LessonPage(props: { readonly id: LessonId; readonly go: (place: Place) 
         <strong>{words.task}:</strong> {task}
       </p>
       {Body ? <Body.component /> : null}
-      {next ? (
+      {Body && next ? (
         <button type="button" class="button" onClick={() => go(next.id)}>
           {words.next}: {words.lessons[next.id][0]}
         </button>
