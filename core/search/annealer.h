@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/rng.h"
@@ -103,7 +104,7 @@ class Annealer final : public LayoutSearch {
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
   bool straighten(int run, double noise);
   bool bend(int run, double noise);
-  [[nodiscard]] bool mayBend(int run, int mate) const;
+  [[nodiscard]] std::optional<lattice::Axis> bendAxis(int run, int mate) const;
   [[nodiscard]] double energy();
   [[nodiscard]] double plainEnergy(const layout::Tallies& tallies, int freedoms) const;
   void raiseWeights();

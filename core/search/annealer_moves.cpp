@@ -19,7 +19,9 @@ constexpr double kPickCostly =
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBendStiff = 0.25;
 constexpr double kPickVariant = 0.5;  // share of moves of a stiffening round that change no beam
-constexpr double kPickBend = 0.06;    // share of moves that lay a bent beam
+constexpr double kPickBend = 0.12;       // share of moves that lay a bent beam
+constexpr double kPickCheapBend = 0.75;  // of these: those that leave the fewest beams beside it
+constexpr double kSticksOut = 0.2;       // beams
 constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
 constexpr std::uint32_t kMostFollowers = 7;
 constexpr double kNearLayers = 0.3;  // share of moves that use one layer on either side at most
@@ -51,6 +53,16 @@ std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, i
     }
   }
   return rest;
+}
+
+//! Beams that the rest of a run needs beside an arm, about; sticking out counts a little.
+double beamsBeside(const layout::Beam& arm, int edges) {
+  const auto beams = [](int left) {
+    return left <= 0 ? 0 : (left + guide::kLongestBeam - 1) / guide::kLongestBeam;
+  };
+  const int past = (arm.solidStart() < 0 ? 1 : 0) + (arm.solidLast() > edges ? 1 : 0);
+  return static_cast<double>(beams(arm.start) + beams(edges - arm.last())) +
+         kSticksOut * static_cast<double>(past);
 }
 
 //! Whether an arm would share a node with one of these.
@@ -197,28 +209,42 @@ bool Annealer::straighten(int run, double noise) {
   return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
 }
 
-//! Whether these runs may share a beam: one hole axis, no symmetry binds them, and no joint lets
-//! them turn against each other where they meet.
-bool Annealer::mayBend(int run, int mate) const {
-  if (orbits_.binds(run) || orbits_.binds(mate) ||
-      layout_.run(run).cover.axis != layout_.run(mate).cover.axis) {
-    return false;
-  }
+//! The hole axis that two runs may have in common: theirs, where it is the same, else one that both
+//! may turn to. None where a symmetry binds them, or a joint lets them turn against each other.
+std::optional<lattice::Axis> Annealer::bendAxis(int run, int mate) const {
   const guide::GuidingGraph& graph = problem_->graph;
   const int junction = layout::commonJunction(graph, run, mate);
-  return junction >= 0 && graph.junctions[at(junction)].joint < 0;
+  if (orbits_.binds(run) || orbits_.binds(mate) || junction < 0 ||
+      graph.junctions[at(junction)].joint >= 0) {
+    return std::nullopt;
+  }
+  const layout::Cover& mine = layout_.run(run).cover;
+  const layout::Cover& theirs = layout_.run(mate).cover;
+  if (mine.axis == theirs.axis) {
+    return mine.axis;
+  }
+  for (const lattice::Axis axis : graph.runs[at(run)].axes) {
+    const std::vector<lattice::Axis>& others = graph.runs[at(mate)].axes;
+    const bool common = std::find(others.begin(), others.end(), axis) != others.end();
+    if (options_.parts.turns && common && (axis == mine.axis || armsOf(mine).empty()) &&
+        (axis == theirs.axis || armsOf(theirs).empty())) {
+      return axis;
+    }
+  }
+  return std::nullopt;
 }
 
-//! Lays a bent beam where this run and another meet that has the same hole axis.
+//! Lays a bent beam where this run and another meet.
 bool Annealer::bend(int run, double noise) {
   const int mate = pickPartner(run);
-  if (mate < 0 || !mayBend(run, mate)) {
+  const std::optional<lattice::Axis> common = mate < 0 ? std::nullopt : bendAxis(run, mate);
+  if (!common) {
     return false;
   }
+  const lattice::Axis axis = *common;
   const guide::GuidingGraph& graph = problem_->graph;
   const layout::Cover& mine = layout_.run(run).cover;
   const layout::Cover& theirs = layout_.run(mate).cover;
-  const lattice::Axis axis = mine.axis;
   std::vector<layout::Beam> fixed = armsOf(mine);
   std::vector<layout::Beam> mateFixed = armsOf(theirs);
   const int layer = static_cast<int>(rng_.below(3)) - 1;
@@ -226,17 +252,25 @@ bool Annealer::bend(int run, double noise) {
   for (const int form : options_.bends) {
     layout::addBends(graph, form, run, mate, layer, &bends_);
   }
-  bends_.erase(std::remove_if(bends_.begin(),
-                              bends_.end(),
-                              [&](const auto& arms) {
-                                return meetsAny(arms.first, fixed) ||
-                                       meetsAny(arms.second, mateFixed);
-                              }),
-               bends_.end());
-  if (bends_.empty()) {
+  const int edges = graph.runs[at(run)].edgeCount();
+  const int mateEdges = graph.runs[at(mate)].edgeCount();
+  const bool cheapest = rng_.unit() < kPickCheapBend;
+  double least = kNoLimit;
+  std::size_t kept = 0;
+  for (const auto& arms : std::vector(bends_)) {
+    const double rest =
+        cheapest ? beamsBeside(arms.first, edges) + beamsBeside(arms.second, mateEdges) : 0.0;
+    if (rest > least || meetsAny(arms.first, fixed) || meetsAny(arms.second, mateFixed)) {
+      continue;
+    }
+    kept = rest < least ? 0 : kept;
+    least = rest;
+    bends_[kept++] = arms;
+  }
+  if (kept == 0) {
     return false;
   }
-  const auto& [arm, mateArm] = bends_[rng_.below(static_cast<std::uint32_t>(bends_.size()))];
+  const auto [arm, mateArm] = bends_[rng_.below(static_cast<std::uint32_t>(kept))];
   fixed.push_back(arm);
   mateFixed.push_back(mateArm);
   layout_.setCover(run, {axis, {}});
