@@ -20,6 +20,9 @@ using parts::PartClass;
 // A subassembly of so many parts is taken off before a single part is drawn out on two legs.
 constexpr std::size_t kSmallSet = 6;
 
+// Sets that leave the rest in one piece are looked for among so many parts at most.
+constexpr std::size_t kFewParts = 200;
+
 std::size_t at(int part) {
   return static_cast<std::size_t>(part);
 }
@@ -110,6 +113,9 @@ class Planner {
     }
     if (removal.parts.empty()) {
       removal = leavingSide(state, singles);
+    }
+    if (removal.parts.empty() && !singles.empty()) {
+      removal = leavingSet(state);
     }
     if (removal.parts.empty() && !singles.empty()) {
       removal = leaving(state, {singles.front().part});
@@ -231,9 +237,10 @@ class Planner {
     return unit >= 0 && isWhole(state, wishes_.units[at(unit)]);
   }
 
+  //! A unit whose leaving does not divide the rest.
   [[nodiscard]] Removal leavingUnit(const DisassemblyState& state) const {
     for (const std::vector<int>& unit : wishes_.units) {
-      if (isWhole(state, unit)) {
+      if (isWhole(state, unit) && state.connected(state.others(unit))) {
         Removal removal = leaving(state, unit);
         if (!removal.parts.empty()) {
           return removal;
@@ -279,6 +286,32 @@ class Planner {
             return removal;
           }
         }
+      }
+    }
+    return {};
+  }
+
+  //! Every part that can leave alone divides the rest: the smallest set that moves together and
+  //! leaves the rest in one piece, if the parts are few enough to look for it.
+  [[nodiscard]] Removal leavingSet(const DisassemblyState& state) const {
+    if (state.parts().size() > kFewParts) {
+      return {};
+    }
+    std::vector<std::vector<int>> sets;
+    for (std::size_t d = 0; d < graphs_.blocking.directions().size(); ++d) {
+      for (const int part : state.parts()) {
+        std::vector<int> set = state.closure(static_cast<int>(d), part);
+        if (set.size() < state.parts().size() && state.connected(set) &&
+            state.connected(state.others(set))) {
+          sets.push_back(std::move(set));
+        }
+      }
+    }
+    sortBySize(sets);
+    for (const std::vector<int>& set : sets) {
+      Removal removal = leaving(state, set);
+      if (!removal.parts.empty()) {
+        return removal;
       }
     }
     return {};
