@@ -92,6 +92,16 @@ lattice::Pose poseOf(const BentBeam& bent, Vec3 corner, Vec3 first, Vec3 second)
   return {corner - rotation * bent.corner, rotation};
 }
 
+std::vector<Beam> armsOf(const Cover& cover) {
+  std::vector<Beam> arms;
+  for (const Beam& beam : cover.beams) {
+    if (beam.mate >= 0) {
+      arms.push_back(beam);
+    }
+  }
+  return arms;
+}
+
 void addBends(const guide::GuidingGraph& graph,
               int form,
               int run,

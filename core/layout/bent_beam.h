@@ -46,6 +46,9 @@ lattice::Pose poseOf(const BentBeam& bent,
                      lattice::Vec3 first,
                      lattice::Vec3 second);
 
+//! \brief The arms of bent beams in a cover.
+std::vector<Beam> armsOf(const Cover& cover);
+
 //! \brief Adds every way in which bentBeams()[form] can lie on two runs that meet, as its arms on
 //! the one and the other. Arms may stick out past a run's ends by one module.
 //! \pre The runs' hole axes are the same.

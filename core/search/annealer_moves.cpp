@@ -19,57 +19,16 @@ constexpr double kPickCostly =
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBendStiff = 0.25;
 constexpr double kPickVariant = 0.5;  // share of moves of a stiffening round that change no beam
-constexpr double kPickBend = 0.12;       // share of moves that lay a bent beam
-constexpr double kPickCheapBend = 0.75;  // of these: those that leave the fewest beams beside it
-constexpr double kSticksOut = 0.2;       // beams
+constexpr double kPickBend = 0.12;    // share of moves that lay a bent beam
 constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
-constexpr std::uint32_t kMostFollowers = 7;
-constexpr double kNearLayers = 0.3;  // share of moves that use one layer on either side at most
-constexpr double kMoreLayers = 0.6;  // of the others: those that use two
+constexpr double kNearLayers = 0.3;   // share of moves that use one layer on either side at most
+constexpr double kMoreLayers = 0.6;   // of the others: those that use two
 constexpr double kMostNoise = 9.0;
 constexpr double kMirrorNoise = 0.2;  // of the others' noise: what follows is to fit
 constexpr double kNoLimit = 1e300;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-std::vector<layout::Beam> armsOf(const layout::Cover& cover) {
-  std::vector<layout::Beam> arms;
-  for (const layout::Beam& beam : cover.beams) {
-    if (beam.mate >= 0) {
-      arms.push_back(beam);
-    }
-  }
-  return arms;
-}
-
-//! The beams of a cover without the arm whose other one is on `mate`; -2 takes out every arm.
-std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, int mate) {
-  std::vector<layout::Beam> rest;
-  for (const layout::Beam& beam : beams) {
-    if (beam.mate < 0 || (mate != -2 && beam.mate != mate)) {
-      rest.push_back(beam);
-    }
-  }
-  return rest;
-}
-
-//! Beams that the rest of a run needs beside an arm, about; sticking out counts a little.
-double beamsBeside(const layout::Beam& arm, int edges) {
-  const auto beams = [](int left) {
-    return left <= 0 ? 0 : (left + guide::kLongestBeam - 1) / guide::kLongestBeam;
-  };
-  const int past = (arm.solidStart() < 0 ? 1 : 0) + (arm.solidLast() > edges ? 1 : 0);
-  return static_cast<double>(beams(arm.start) + beams(edges - arm.last())) +
-         kSticksOut * static_cast<double>(past);
-}
-
-//! Whether an arm would share a node with one of these.
-bool meetsAny(const layout::Beam& arm, const std::vector<layout::Beam>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const layout::Beam& other) {
-    return arm.solidStart() <= other.solidLast() && arm.solidLast() >= other.solidStart();
-  });
 }
 
 }  // namespace
@@ -182,7 +141,7 @@ bool Annealer::coverRun(int run,
 bool Annealer::recover(int run, double noise, double turning) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   lattice::Axis axis = layout_.run(run).cover.axis;
-  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
+  const std::vector<layout::Beam> arms = layout::armsOf(layout_.run(run).cover);
   if (!arms.empty() && rng_.unit() < kStraighten) {
     return straighten(run, noise);
   }
@@ -192,108 +151,11 @@ bool Annealer::recover(int run, double noise, double turning) {
   return coverRun(run, axis, noise, arms);
 }
 
-//! Takes the bent beams of a run out: it and the runs of their other arms are covered anew.
-bool Annealer::straighten(int run, double noise) {
-  bool changed = false;
-  const std::vector<layout::Beam> arms = armsOf(layout_.run(run).cover);
-  layout::Cover bare = layout_.run(run).cover;
-  bare.beams = withoutMates(bare.beams, -2);
-  layout_.setCover(run, bare);
-  for (const layout::Beam& arm : arms) {
-    const layout::Cover& cover = layout_.run(arm.mate).cover;
-    layout::Cover mate{cover.axis, withoutMates(cover.beams, run)};
-    const std::vector<layout::Beam> kept = armsOf(mate);
-    layout_.setCover(arm.mate, mate);
-    changed = coverRun(arm.mate, mate.axis, noise, kept) || changed;
-  }
-  return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
-}
-
-//! The hole axis that two runs may have in common: theirs, where it is the same, else one that both
-//! may turn to. None where a symmetry binds them, or a joint lets them turn against each other.
-std::optional<lattice::Axis> Annealer::bendAxis(int run, int mate) const {
-  const guide::GuidingGraph& graph = problem_->graph;
-  const int junction = layout::commonJunction(graph, run, mate);
-  if (orbits_.binds(run) || orbits_.binds(mate) || junction < 0 ||
-      graph.junctions[at(junction)].joint >= 0) {
-    return std::nullopt;
-  }
-  const layout::Cover& mine = layout_.run(run).cover;
-  const layout::Cover& theirs = layout_.run(mate).cover;
-  if (mine.axis == theirs.axis) {
-    return mine.axis;
-  }
-  for (const lattice::Axis axis : graph.runs[at(run)].axes) {
-    const std::vector<lattice::Axis>& others = graph.runs[at(mate)].axes;
-    const bool common = std::find(others.begin(), others.end(), axis) != others.end();
-    if (options_.parts.turns && common && (axis == mine.axis || armsOf(mine).empty()) &&
-        (axis == theirs.axis || armsOf(theirs).empty())) {
-      return axis;
-    }
-  }
-  return std::nullopt;
-}
-
-//! Lays a bent beam where this run and another meet.
-bool Annealer::bend(int run, double noise) {
-  const int mate = pickPartner(run);
-  const std::optional<lattice::Axis> common = mate < 0 ? std::nullopt : bendAxis(run, mate);
-  if (!common) {
-    return false;
-  }
-  const lattice::Axis axis = *common;
-  const guide::GuidingGraph& graph = problem_->graph;
-  const layout::Cover& mine = layout_.run(run).cover;
-  const layout::Cover& theirs = layout_.run(mate).cover;
-  std::vector<layout::Beam> fixed = armsOf(mine);
-  std::vector<layout::Beam> mateFixed = armsOf(theirs);
-  const int layer = static_cast<int>(rng_.below(3)) - 1;
-  bends_.clear();
-  for (const int form : options_.bends) {
-    layout::addBends(graph, form, run, mate, layer, &bends_);
-  }
-  const int edges = graph.runs[at(run)].edgeCount();
-  const int mateEdges = graph.runs[at(mate)].edgeCount();
-  const bool cheapest = rng_.unit() < kPickCheapBend;
-  double least = kNoLimit;
-  std::size_t kept = 0;
-  for (const auto& arms : std::vector(bends_)) {
-    const double rest =
-        cheapest ? beamsBeside(arms.first, edges) + beamsBeside(arms.second, mateEdges) : 0.0;
-    if (rest > least || meetsAny(arms.first, fixed) || meetsAny(arms.second, mateFixed)) {
-      continue;
-    }
-    kept = rest < least ? 0 : kept;
-    least = rest;
-    bends_[kept++] = arms;
-  }
-  if (kept == 0) {
-    return false;
-  }
-  const auto [arm, mateArm] = bends_[rng_.below(static_cast<std::uint32_t>(kept))];
-  fixed.push_back(arm);
-  mateFixed.push_back(mateArm);
-  layout_.setCover(run, {axis, {}});
-  layout_.setCover(mate, {axis, {}});
-  if (!coverRun(run, axis, noise, fixed) || !coverRun(mate, axis, noise, mateFixed)) {
-    return false;
-  }
-  // Both lines' layers have changed along their length: let those that cross them follow.
-  const std::uint32_t followers = rng_.below(kMostFollowers);
-  for (std::uint32_t i = 0; i < followers; ++i) {
-    const int other = pickPartner(i % 2 == 0 ? run : mate);
-    if (other >= 0 && other != run && other != mate) {
-      recover(other, noise, kPickAxis);
-    }
-  }
-  return true;
-}
-
 //! Ruin and recreate: clears the run and some that meet or pass near it, then covers them one by
 //! one in a random order. What one run alone cannot do, since its neighbours stand in the way,
 //! several can.
 bool Annealer::recoverMany(int run, double noise) {
-  if (!armsOf(layout_.run(run).cover).empty()) {
+  if (!layout::armsOf(layout_.run(run).cover).empty()) {
     return straighten(run, noise);
   }
   const auto firstOf = [&](int r) {
@@ -311,7 +173,7 @@ bool Annealer::recoverMany(int run, double noise) {
       other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
     }
     other = other >= 0 ? firstOf(other) : other;
-    if (other >= 0 && armsOf(layout_.run(other).cover).empty() &&
+    if (other >= 0 && layout::armsOf(layout_.run(other).cover).empty() &&
         std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
       cleared.push_back(other);
     }
@@ -342,7 +204,7 @@ bool Annealer::recoverCrossing(int run, double noise) {
       continue;
     }
     for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
-      if (incidence.run != run && armsOf(layout_.run(incidence.run).cover).empty()) {
+      if (incidence.run != run && layout::armsOf(layout_.run(incidence.run).cover).empty()) {
         any = coverRun(incidence.run, layout_.run(incidence.run).cover.axis, noise, {}) || any;
       }
     }
@@ -354,7 +216,7 @@ bool Annealer::recoverCrossing(int run, double noise) {
 //! grid, is a wall across many lines, which no line can move alone.
 bool Annealer::mirror(int run, double noise) {
   layout::Cover cover = layout_.run(run).cover;
-  if (problem_->graph.runs[at(run)].exact || !armsOf(cover).empty()) {
+  if (problem_->graph.runs[at(run)].exact || !layout::armsOf(cover).empty()) {
     return false;
   }
   const guide::SelfBinding binding =
