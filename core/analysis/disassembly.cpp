@@ -291,24 +291,13 @@ class Planner {
     return {};
   }
 
-  //! Every part that can leave alone divides the rest: the smallest set that moves together and
-  //! leaves the rest in one piece, if the parts are few enough to look for it.
+  //! Every part that can leave alone divides the rest: a set that does not, if the parts are few
+  //! enough to look for it.
   [[nodiscard]] Removal leavingSet(const DisassemblyState& state) const {
     if (state.parts().size() > kFewParts) {
       return {};
     }
-    std::vector<std::vector<int>> sets;
-    for (std::size_t d = 0; d < graphs_.blocking.directions().size(); ++d) {
-      for (const int part : state.parts()) {
-        std::vector<int> set = state.closure(static_cast<int>(d), part);
-        if (set.size() < state.parts().size() && state.connected(set) &&
-            state.connected(state.others(set))) {
-          sets.push_back(std::move(set));
-        }
-      }
-    }
-    sortBySize(sets);
-    for (const std::vector<int>& set : sets) {
+    for (const std::vector<int>& set : state.setsThatDivideNothing()) {
       Removal removal = leaving(state, set);
       if (!removal.parts.empty()) {
         return removal;
@@ -393,31 +382,6 @@ class Planner {
 
 DisassemblyPlan planDisassembly(const Scene& scene, const DisassemblyWishes& wishes) {
   return Planner(scene, wishes).run();
-}
-
-ItemResult checkDisassembly(const Scene& scene) {
-  ItemResult result;
-  if (scene.parts.size() > kMaxPartsTakenApart) {
-    result.detail = "not judged: more than " + std::to_string(kMaxPartsTakenApart) + " parts";
-    result.problems.push_back({"unjudged", "too many parts to be taken apart here", {}, {}});
-    return result;
-  }
-  const DisassemblyPlan plan = planDisassembly(scene);
-  std::size_t moves = 0;
-  for (const DisassemblyGroup& group : plan.groups) {
-    moves += group.removals.size();
-  }
-  for (const StuckParts& stuck : plan.stuck) {
-    Problem problem{"stuck",
-                    stuck.message,
-                    scene.model->parts[at(stuck.parts.front())].pose.position,
-                    stuck.parts};
-    problem.parts.insert(problem.parts.end(), stuck.by.begin(), stuck.by.end());
-    result.problems.push_back(std::move(problem));
-  }
-  result.detail = std::to_string(moves) + " moves, " + std::to_string(plan.groups.size() - 1) +
-                  " subassemblies, " + std::to_string(plan.stuck.size()) + " parts stuck";
-  return result;
 }
 
 }  // namespace liftarm::analysis

@@ -277,6 +277,21 @@ std::vector<int> DisassemblyState::closure(int direction, int part) const {
   return found;
 }
 
+std::vector<std::vector<int>> DisassemblyState::setsThatDivideNothing() const {
+  std::vector<std::vector<int>> sets;
+  for (std::size_t d = 0; d < graph_.directions().size(); ++d) {
+    for (const int part : parts_) {
+      std::vector<int> set = closure(static_cast<int>(d), part);
+      if (set.size() < parts_.size() && connected(set) && connected(others(set))) {
+        sets.push_back(std::move(set));
+      }
+    }
+  }
+  std::stable_sort(
+      sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  return sets;
+}
+
 std::vector<int> DisassemblyState::others(const std::vector<int>& set) const {
   std::vector<int> result;
   std::set_difference(

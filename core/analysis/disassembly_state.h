@@ -51,6 +51,10 @@ class DisassemblyState {
   //! \brief All that must leave with a part, itself included: ascending.
   [[nodiscard]] std::vector<int> closure(int direction, int part) const;
 
+  //! \brief Connected sets of parts that leave together in some direction, and whose leaving does
+  //! not divide the rest: the smallest first.
+  [[nodiscard]] std::vector<std::vector<int>> setsThatDivideNothing() const;
+
   [[nodiscard]] bool connected(const std::vector<int>& set) const;
 
   //! \brief The parts that are not in a set.
