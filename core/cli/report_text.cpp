@@ -58,8 +58,11 @@ std::string motionText(const ordered_json& report) {
     const bool stands =
         judged ? report.at("balance").value("stable", false) : report.at("balanced").get<bool>();
     text += std::string("  balance: ") + (stands ? "stands" : "falls over");
-    if (judged && stands) {
-      text += ", up to a slope of " + report.at("balance").at("tippingAngle").dump() + " degrees";
+    if (judged) {
+      const ordered_json& balance = report.at("balance");
+      text += stands ? ", up to a slope of " + balance.at("tippingAngle").dump() + " degrees"
+                     : std::string();
+      text += ", towards " + balance.at("direction").dump();
     }
     text += "\n";
   }

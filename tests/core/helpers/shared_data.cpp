@@ -1,5 +1,6 @@
 #include "core/helpers/shared_data.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,21 @@ std::optional<std::string> readSharedFile(const std::string& path) {
     return std::nullopt;
   }
   return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+std::vector<std::string> sharedFileNames(const std::string& folder, const std::string& ending) {
+  std::vector<std::string> names;
+  if (std::filesystem::exists(sharedFolder() / folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(sharedFolder() / folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.size() > ending.size() &&
+          name.compare(name.size() - ending.size(), ending.size(), ending) == 0) {
+        names.push_back(name.substr(0, name.size() - ending.size()));
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 bool haveSharedData() {

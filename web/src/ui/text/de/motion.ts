@@ -35,6 +35,7 @@ export const MOTION_DE: Words<typeof MOTION_EN> = {
   centre: 'Schwerpunkt',
   margin: 'Abstand zur Kante, über die es kippt',
   tipping: 'Neigung, die es aushält',
+  towards: 'Kippt nach',
   modules: (n: string) => `${n} Module`,
   aboutBalance: 'Die Fläche, auf der es steht, und der Schwerpunkt darüber.',
 };

@@ -32,6 +32,7 @@ export const MOTION_EN = {
   centre: 'Centre of mass',
   margin: 'Distance to the edge it tips over',
   tipping: 'Slope that it bears',
+  towards: 'Tips over towards',
   modules: (n: string) => `${n} modules`,
   aboutBalance: 'The area that it stands on, and the centre of mass above it.',
 } as const;
