@@ -47,6 +47,8 @@ class SolverSession {
 
   [[nodiscard]] std::string modelJson() const { return session_->modelJson(); }
 
+  [[nodiscard]] std::string layoutJson() const { return session_->layoutJson(); }
+
   [[nodiscard]] std::string reportJson() const { return session_->reportJson(); }
 
  private:
@@ -105,6 +107,7 @@ EMSCRIPTEN_BINDINGS(liftarm) {
       .function("advance", &SolverSession::advance)
       .function("progressJson", &SolverSession::progressJson)
       .function("modelJson", &SolverSession::modelJson)
+      .function("layoutJson", &SolverSession::layoutJson)
       .function("reportJson", &SolverSession::reportJson);
   emscripten::function("checkModelJson", &checkModelJson);
   emscripten::function("planAssemblyJson", &planAssemblyJson);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/earlier_json.h"
 #include "design/looseness.h"
 #include "design/measures.h"
 #include "design/model_builder.h"
@@ -78,6 +79,10 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] std::string modelJson() const override { return model::writeModel(model()); }
+
+  [[nodiscard]] std::string layoutJson() const override {
+    return earlierJson(search::earlierLayout(problem_.graph, search_->best().covers)).dump();
+  }
 
   [[nodiscard]] std::string reportJson() const override {
     return makeReport({problem_, settings_, table_, *search_, sketch_, model()});

@@ -16,8 +16,7 @@ class DesignSession {
  public:
   //! \param sketchJson   A sketch (DESIGN 3).
   //! \param settingsJson {"seed": 1, "preset": "simple", "method": "default", "set": {"key":
-  //! value}};
-  //!                     everything optional.
+  //! value}, "earlier": layout}; everything optional.
   //! \return The session, or the one message that says what is wrong with either text.
   static base::Result<std::unique_ptr<DesignSession>> create(std::string_view sketchJson,
                                                              std::string_view settingsJson);
@@ -36,6 +35,9 @@ class DesignSession {
 
   //! \brief The best model so far as model JSON (model/model_json.h).
   [[nodiscard]] virtual std::string modelJson() const = 0;
+
+  //! \brief The best layout so far, for the setting "earlier" of a search on a changed sketch.
+  [[nodiscard]] virtual std::string layoutJson() const = 0;
 
   //! \brief The report of DESIGN 4 on the best model so far, without its times, as JSON.
   [[nodiscard]] virtual std::string reportJson() const = 0;

@@ -145,7 +145,8 @@ std::string makeReport(const ReportInput& input) {
       {"problems", problems},
       {"objective", rounded(best.energy)},
       {"terms", terms},
-      {"iterations", input.search.iterations()}}
+      {"iterations", input.search.iterations()},
+      {"grown", input.search.grown()}}
       .dump();
 }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/earlier_json.h"
 #include "design/owned_parts.h"
 #include "parts/catalogue.h"
 
@@ -273,8 +274,15 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
         return invalid("method: " + textOf(value) + " is unknown; use default or paper");
       }
       settings->method = textOf(value);
+    } else if (key == "earlier") {
+      base::Result<search::EarlierLayout> earlier = readEarlier(value);
+      if (!earlier.ok()) {
+        return earlier.error();
+      }
+      settings->annealing.earlier = std::move(earlier).value();
     } else if (key != "set") {
-      return invalid("settings: no such key " + key + "; known are seed, preset, method, set");
+      return invalid("settings: no such key " + key +
+                     "; known are seed, preset, method, set, earlier");
     }
   }
   settings->annealing.weights = settings->method == kPaperMethod

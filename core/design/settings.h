@@ -31,14 +31,15 @@ struct Settings {
   std::map<std::string, int> owned;
 };
 
-//! \brief Reads {"seed", "preset", "method", "set": {key: value}}; an empty text is all defaults.
-//! \details Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual number of
-//! iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`, `mechanismParts`,
-//! `lengths` ("2,3,5"), `bent` ("32526,60484", the bent
-//! beams that may be laid), `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method
-//! paper), `search.PART`, 1 or 0 (search/annealer.h, SearchParts), and `owned.PARTID`, how many of
-//! a part there are at most (DESIGN 6): 0 switches it off. \return The settings, or one message
-//! that names the key and what would be right.
+//! \brief Reads {"seed", "preset", "method", "set": {key: value}, "earlier": layout}; an empty text
+//! is all defaults. \details `earlier` is what DesignSession::layoutJson() gave for a sketch that
+//! this one came from. Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual
+//! number of iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`,
+//! `mechanismParts`, `lengths` ("2,3,5"), `bent` ("32526,60484", the bent beams that may be laid),
+//! `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper), `search.PART`, 1 or 0
+//! (search/annealer.h, SearchParts), and `owned.PARTID`, how many of a part there are at most
+//! (DESIGN 6): 0 switches it off. \return The settings, or one message that names the key and what
+//! would be right.
 base::Result<Settings> readSettings(std::string_view json);
 
 //! \brief The settings as JSON with every key, for the contract with the page.

@@ -103,10 +103,20 @@ const char* Annealer::phase() const {
 }
 
 void Annealer::start() {
+  started_ = true;
+  if (!layEarlier()) {
+    beginAfresh();
+    return;
+  }
+  beginRound();
+  keepBest();
+  done_ = focus_.empty() && keepsUp();
+}
+
+void Annealer::beginAfresh() {
   // Fewer starts for very large sketches, so that the first layout does not keep a person waiting.
   const auto runs = static_cast<int>(problem_->graph.runs.size());
   layFirst(std::max(1, std::min(options_.starts, kStageOneBudget / std::max(1, runs))));
-  started_ = true;
   beginRound();
   keepBest();
 }
@@ -156,13 +166,17 @@ void Annealer::beginRound() {
   roundBegin_ = iteration_;
   const double share = round_ == 0 ? kFirstRoundShare : 1.0;
   const double perRuns = static_cast<double>(options_.iterationsPerRun) *
-                         static_cast<double>(problem_->graph.runs.size());
+                         static_cast<double>(grown_ ? focus_.size() : problem_->graph.runs.size());
   roundLength_ = options_.minIterations + static_cast<std::uint64_t>(share * perRuns);
   temperature_ = options_.startTemperature;
   lastChange_ = iteration_;
 }
 
 void Annealer::finishRound() {
+  if (grown_ && !keepsUp()) {
+    forgetEarlier();
+    return;
+  }
   ++round_;
   const bool whole = best_.tallies.violations() + best_.missing == 0;
   if (whole && options_.freedoms) {

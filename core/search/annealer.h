@@ -9,6 +9,7 @@
 #include "layout/bent_beam.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
+#include "search/earlier_layout.h"
 #include "search/layout_search.h"
 #include "search/orbit_covers.h"
 #include "search/run_coverer.h"
@@ -46,6 +47,10 @@ struct AnnealingOptions {
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   std::vector<int> bends = layout::allBentBeams();  //!< bent beams that may be laid
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
+  //! Layout of a sketch that this one came from: what still fits stays as it lies, and only what
+  //! was touched is searched. Where that does not end whole, or takes many more beams, the search
+  //! is as without it. Not used with symmetries or `freedoms`.
+  EarlierLayout earlier;
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
@@ -74,7 +79,7 @@ class Annealer final : public LayoutSearch {
 
   [[nodiscard]] std::uint32_t improvements() const override { return improvements_; }
 
-  [[nodiscard]] std::uint64_t iterations() const override { return iteration_; }
+  [[nodiscard]] std::uint64_t iterations() const override { return iterationsBefore_ + iteration_; }
 
   [[nodiscard]] double temperature() const override { return temperature_; }
 
@@ -83,10 +88,17 @@ class Annealer final : public LayoutSearch {
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
   [[nodiscard]] const char* phase() const override;
 
+  [[nodiscard]] bool grown() const override { return grown_; }
+
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 
  private:
   void start();
+  void beginAfresh();
+  bool layEarlier();
+  void layBestAxis(int run);
+  [[nodiscard]] bool keepsUp() const;
+  void forgetEarlier();
   void layFirst(int starts);
   void move();
   void beginRound();
@@ -136,6 +148,11 @@ class Annealer final : public LayoutSearch {
   std::uint32_t round_ = 0;
   std::uint32_t improvements_ = 0;
   std::uint64_t lastChange_ = 0;
+  bool grown_ = false;      // from an earlier layout
+  std::vector<int> focus_;  // runs that moves begin at then; where there are none, any
+  int mostBeams_ = 0;       // that a grown layout may have
+  double coldTemperature_ = 0.0;
+  std::uint64_t iterationsBefore_ = 0;  // done before the search began afresh
   double temperature_ = 0.0;
   double energy_ = 0.0;
   // Rounds that make the model stiff: some from the best layout, then some from that of another

@@ -37,6 +37,9 @@ std::size_t at(int i) {
 int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
   site_ = -1;
+  if (!focus_.empty() && (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation)) {
+    return focus_[rng_.below(static_cast<std::uint32_t>(focus_.size()))];
+  }
   if (!options_.parts.focus || layout_.tallies().violations() == 0 ||
       rng_.unit() >= kPickViolation) {
     const int costly = options_.parts.costly && rng_.unit() < kPickCostly ? pickCostlyRun() : -1;
@@ -245,9 +248,11 @@ void Annealer::move() {
   coverer_.setReach(rng_.unit() < kNearLayers ? 1
                                               : (rng_.unit() < kMoreLayers ? 2 : guide::kMaxLayer));
   const bool many = parts.many && layout_.tallies().violations() > 0 && rng_.unit() < kPickMany;
+  // What grows from an earlier layout is to stay as it was beyond the runs that were touched.
+  const bool calm = grown_ && layout_.tallies().violations() == 0;
   const bool corner =
-      !many && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
-  const bool mirrored = !many && !corner && parts.mirrors && rng_.unit() < kPickMirror;
+      !many && !calm && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
+  const bool mirrored = !many && !corner && parts.mirrors && !calm && rng_.unit() < kPickMirror;
   const bool varied = stiffening_ && parts.variants && rng_.unit() < kPickVariant;
   bool changed = false;
   if (varied) {
@@ -260,7 +265,7 @@ void Annealer::move() {
     changed = bend(run, noise);
   } else {
     changed = recover(run, noise, kPickAxis);
-    const int partner = parts.pairs && rng_.unit() < kPickTwo ? pickPartner(run) : -1;
+    const int partner = parts.pairs && !calm && rng_.unit() < kPickTwo ? pickPartner(run) : -1;
     changed = (partner >= 0 && recover(partner, noise, kPickAxis)) || changed;
   }
   if (!changed) {

@@ -41,6 +41,9 @@ class LayoutSearch {
   //! \brief From 0 to 1: how much of the search is done, as far as can be told.
   [[nodiscard]] virtual double fraction() const = 0;
 
+  //! \brief Whether the best layout came from that of an earlier sketch.
+  [[nodiscard]] virtual bool grown() const { return false; }
+
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
   [[nodiscard]] virtual const char* phase() const = 0;
 };

@@ -52,6 +52,34 @@ TEST(DesignSession, MakesAModelThatTheCheckCanRead) {
   EXPECT_TRUE(json::parse(check.value())["buildable"].get<bool>()) << check.value();
 }
 
+TEST(DesignSession, GrowsFromTheLayoutOfAnEarlierSketch) {
+  const auto first = finished(testing::cubeSketch(6));
+  EXPECT_FALSE(json::parse(first->reportJson())["grown"].get<bool>());
+  sketch::Sketch longer = testing::cubeSketch(6);
+  longer.lines.push_back({{6, 6, 6}, {6, 6, 11}, 5, false, {}});
+  json settings = json::parse(kQuick);
+  settings["earlier"] = json::parse(first->layoutJson());
+  const auto second = sessionOf(longer, settings.dump());
+  while (!second->advance(500)) {
+  }
+  const json report = json::parse(second->reportJson());
+  EXPECT_TRUE(report["grown"].get<bool>());
+  EXPECT_TRUE(report["buildable"].get<bool>()) << report.dump();
+}
+
+TEST(DesignSession, RefusesAnEarlierLayoutThatIsNone) {
+  for (const char* text : {R"({"earlier": 3})",
+                           R"({"earlier": {"runs": [{}]}})",
+                           R"({"earlier": {"runs": [{"from": [0, 0], "to": [1, 0, 0], "axis": 0,
+                               "beams": [], "meets": []}]}})",
+                           R"({"earlier": {"runs": [{"from": [0, 0, 0], "to": [1, 0, 0], "axis": 7,
+                               "beams": [], "meets": []}]}})"}) {
+    const auto session = DesignSession::create(sketch::writeSketch(testing::squareSketch(8)), text);
+    ASSERT_FALSE(session.ok()) << text;
+    EXPECT_NE(session.error().message.find("earlier"), std::string::npos);
+  }
+}
+
 TEST(DesignSession, CallsBuildableWhatTheCheckCallsBuildable) {
   for (const sketch::Sketch& sketch :
        {testing::squareSketch(8), testing::cornerSketch(5), testing::triangleSketch(2)}) {

@@ -47,11 +47,36 @@ describe('solve run', () => {
       outcome: 'solved',
       modelJson: MODEL,
       reportJson: '{"buildable":true,"beams":1}',
+      layoutJson: '{"runs":[]}',
       seconds: SECONDS,
     });
     await done;
     expect(run.state.value.phase).toBe('solved');
     expect(run.shown.value).toMatchObject({ report: { beams: 1 }, check: { buildable: true } });
+  });
+
+  it('goes on from the last layout when it is asked to, and from nothing after another sketch', async () => {
+    const { client, run } = begin();
+    const end = async (done: Promise<void>, layoutJson: string) => {
+      client.solves.at(-1)?.settle({
+        outcome: 'solved',
+        modelJson: MODEL,
+        reportJson: '{"buildable":true}',
+        layoutJson,
+        seconds: SECONDS,
+      });
+      await done;
+    };
+    const asked = () => client.solves.at(-1)?.settings;
+    await end(run.regrow(SKETCH, { seed: 3 }), '{"runs":[1]}');
+    expect(asked()).toEqual({ seed: 3 });
+    await end(run.regrow(SKETCH, { seed: 3 }), '{"runs":[2]}');
+    expect(asked()).toEqual({ seed: 3, earlier: { runs: [1] } });
+    await end(run.start(SKETCH, { seed: 3 }), '{"runs":[3]}');
+    expect(asked()).toEqual({ seed: 3 });
+    run.clear();
+    void run.regrow(SKETCH, { seed: 3 });
+    expect(asked()).toEqual({ seed: 3 });
   });
 
   it('keeps the last model when it is cancelled', async () => {

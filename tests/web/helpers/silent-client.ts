@@ -4,10 +4,12 @@ import type {
   SolveWatch,
   TextResult,
 } from '../../../web/src/solver/client.ts';
+import type { SolveSettings } from '../../../web/src/solver/protocol.ts';
 
 /** A search that is under way in a test: the test says what comes of it. */
 export interface PendingSolve {
   readonly sketchJson: string;
+  readonly settings: SolveSettings;
   readonly watch: SolveWatch;
   readonly settle: (result: SolveResult) => void;
   readonly fail: (error: Error) => void;
@@ -24,12 +26,12 @@ export function silentClient(): TestClient {
   const client: TestClient = {
     solves,
     checkReply: { outcome: 'ok', text: '{"buildable":true,"items":[],"problems":[]}' },
-    solve: (sketchJson, _settings, watch = {}) =>
+    solve: (sketchJson, settings, watch = {}) =>
       new Promise((settle, fail) => {
         watch.signal?.addEventListener('abort', () =>
           settle({ outcome: 'cancelled', modelJson: null }),
         );
-        solves.push({ sketchJson, watch, settle, fail });
+        solves.push({ sketchJson, settings, watch, settle, fail });
       }),
     check: async () => client.checkReply,
     exportModel: async () => ({ outcome: 'ok', text: '' }),

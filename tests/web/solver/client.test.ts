@@ -72,8 +72,21 @@ test('a solve gives progress and settles with the model', async () => {
   worker(0).reply({ kind: 'progress', jobId: 1, progress: PROGRESS, modelJson: 'm1' });
   worker(0).reply({ kind: 'progress', jobId: 1, progress: PROGRESS, modelJson: null });
   const seconds = { total: 1, byPhase: {} };
-  worker(0).reply({ kind: 'solved', jobId: 1, modelJson: 'm2', reportJson: 'r', seconds });
-  expect(await result).toEqual({ outcome: 'solved', modelJson: 'm2', reportJson: 'r', seconds });
+  worker(0).reply({
+    kind: 'solved',
+    jobId: 1,
+    modelJson: 'm2',
+    reportJson: 'r',
+    layoutJson: 'l',
+    seconds,
+  });
+  expect(await result).toEqual({
+    outcome: 'solved',
+    modelJson: 'm2',
+    reportJson: 'r',
+    layoutJson: 'l',
+    seconds,
+  });
   expect(seen).toEqual(['m1', null]);
 });
 

@@ -1,7 +1,11 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { SolveResult, SolverClient, SolveWatch } from '../../../web/src/solver/client.ts';
 import type { SolveProgress, SolveSettings } from '../../../web/src/solver/protocol.ts';
-import { createSolverPool, workersFor } from '../../../web/src/solver/solver-pool.ts';
+import {
+  createSolverPool,
+  settingsOfTry,
+  workersFor,
+} from '../../../web/src/solver/solver-pool.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 
 interface Running {
@@ -49,6 +53,7 @@ function solved(seed: number, buildable: boolean, beams = 10): SolveResult {
     outcome: 'solved',
     modelJson: `model ${seed}`,
     reportJson,
+    layoutJson: 'l',
     seconds: { total: 1, byPhase: {} },
   };
 }
@@ -195,6 +200,16 @@ test('a search does not wait for the check of an earlier model', async () => {
   // There is room for no third one.
   void pool.check('{}');
   expect(asked).toEqual(['check 0', 'solve 1', 'check 0']);
+});
+
+test('an earlier layout has one try, and then the seeds are those of a search without it', () => {
+  const tries = (settings: SolveSettings) => [0, 1, 2].map((i) => settingsOfTry(settings, i));
+  expect(tries({ seed: 5 })).toEqual([{ seed: 5 }, { seed: 6 }, { seed: 7 }]);
+  expect(tries({ seed: 5, earlier: 'x' })).toEqual([
+    { seed: 5, earlier: 'x' },
+    { seed: 5 },
+    { seed: 6 },
+  ]);
 });
 
 test('one core is left to the page, and four workers are enough', () => {

@@ -40,6 +40,10 @@ function countingModule(steps: number) {
       return `model ${this.#at}`;
     }
 
+    layoutJson() {
+      return 'layout';
+    }
+
     reportJson() {
       return `report ${this.#at}`;
     }
@@ -89,7 +93,13 @@ test('a search ends with one solved reply and frees its session', async () => {
   const { host, replies } = steppedHost();
   await createWorkerCore(Promise.resolve(module), host).handle(START);
   expect(replies.filter(({ kind }) => kind !== 'progress')).toMatchObject([
-    { kind: 'solved', jobId: 1, modelJson: 'model 100000', reportJson: 'report 100000' },
+    {
+      kind: 'solved',
+      jobId: 1,
+      modelJson: 'model 100000',
+      reportJson: 'report 100000',
+      layoutJson: 'layout',
+    },
   ]);
   expect(openSessions()).toBe(0);
 });

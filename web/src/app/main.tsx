@@ -206,7 +206,7 @@ async function start(): Promise<void> {
   followLanguage(preferences, () => shelf.kept());
   watchSketch(state, client);
   solveAfterEdits(state, {
-    generate: controller.generate,
+    generate: controller.regrow,
     drop: () => controller.run.drop(),
     sketchUnderWay: () => controller.run.sketchUnderWay,
   });

@@ -235,6 +235,13 @@ export class PageController implements Actions {
     this.run.start(sketch, settingsOf(this.state.preferences.value)).catch(() => undefined);
   };
 
+  /** After an edit: the model goes on from the one before. */
+  readonly regrow = (): void => {
+    const sketch = this.state.store.sketch.value;
+    this.state.focusedProblem.value = null;
+    this.run.regrow(sketch, settingsOf(this.state.preferences.value)).catch(() => undefined);
+  };
+
   readonly showLayout = (layout: LayoutSnapshot): void => {
     this.run.showLayout(layout).catch(() => undefined);
   };

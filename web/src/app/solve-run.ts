@@ -21,11 +21,20 @@ export class SolveRun {
   readonly #shown = signal<ShownModel | null>(null);
   #running: AbortController | null = null;
   #sketch: SketchDocument | null = null;
+  /** Of the last search that ended, as text. */
+  #layout: string | null = null;
   readonly state: ReadonlySignal<SolveState> = this.#state;
   readonly shown: ReadonlySignal<ShownModel | null> = this.#shown;
 
   constructor(client: SolverClient) {
     this.#client = client;
+  }
+
+  /** start(), but what the sketch has in common with that of the last search stays as it lies. */
+  regrow(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
+    const layout = this.#layout;
+    const earlier = layout === null ? {} : { earlier: JSON.parse(layout) as unknown };
+    return this.start(sketch, { ...settings, ...earlier });
   }
 
   /** Starts a search; one under way is given up. Never rejects. */
@@ -82,6 +91,7 @@ export class SolveRun {
     const report: Report = { buildable: check.buildable };
     const sketch = sketchIn(json);
     this.drop();
+    this.#layout = null;
     batch(() => {
       this.#shown.value = { source: 'file', json, model: model.value, sketch, report, check };
       if (sketch) {
@@ -118,6 +128,7 @@ export class SolveRun {
   /** Takes the model from the screen. */
   clear(): void {
     this.drop();
+    this.#layout = null;
     this.#shown.value = null;
   }
 
@@ -157,6 +168,7 @@ export class SolveRun {
         await this.#cancelled();
         return;
       case 'solved': {
+        this.#layout = result.layoutJson;
         const report = JSON.parse(result.reportJson) as Report;
         const { total, byPhase } = result.seconds;
         const seconds = report.seconds ?? {

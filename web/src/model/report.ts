@@ -24,6 +24,8 @@ export interface Report {
   readonly lines?: number;
   /** Sum of the line lengths, modules. */
   readonly length?: number;
+  /** Parts of the sketch that do not touch each other. */
+  readonly pieces?: number;
   readonly components?: number;
   readonly beams?: number;
   readonly bricks?: number;
@@ -43,6 +45,8 @@ export interface Report {
   readonly freedoms?: number;
   readonly balanced?: boolean;
   readonly assemblable?: boolean;
+  /** Whether it went on from the model of an earlier sketch: a link gives another one. */
+  readonly grown?: boolean;
   readonly buildable?: boolean;
   readonly problems?: readonly Problem[];
   readonly objective?: number;

@@ -17,6 +17,8 @@ export type SolveResult =
       readonly outcome: 'solved';
       readonly modelJson: string;
       readonly reportJson: string;
+      /** For `SolveSettings.earlier`. */
+      readonly layoutJson: string;
       readonly seconds: SolveSeconds;
     }
   /** `modelJson` is the last model that progress has shown, null when there was none. */
@@ -271,6 +273,7 @@ function settleSolve(reply: Ending, lastModel: string | null, settle: Settle<Sol
         outcome: 'solved',
         modelJson: reply.modelJson,
         reportJson: reply.reportJson,
+        layoutJson: reply.layoutJson,
         seconds: reply.seconds,
       });
       return;

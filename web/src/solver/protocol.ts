@@ -12,6 +12,11 @@ export interface SolveSettings {
   readonly method?: string;
   /** Single options by key, as `liftarm solve --set key=value`. */
   readonly set?: Readonly<Record<string, number | string | boolean>>;
+  /**
+   * The layout of a sketch that this one came from (`layoutJson` of an earlier reply, parsed): what is not
+   * touched stays as it lies.
+   */
+  readonly earlier?: unknown;
 }
 
 /** Where a search stands. `fraction` runs from 0 to 1; counts are of the best layout so far. */
@@ -114,6 +119,7 @@ export type FromWorker =
       readonly jobId: number;
       readonly modelJson: string;
       readonly reportJson: string;
+      readonly layoutJson: string;
       readonly seconds: SolveSeconds;
     }
   /** The input is not acceptable: one sentence that names the place and what would be right. */

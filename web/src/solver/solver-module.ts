@@ -29,6 +29,8 @@ export interface SolverSession {
   advance(iterations: number): boolean;
   progressJson(): string;
   modelJson(): string;
+  /** The best layout, for `SolveSettings.earlier` of a search on a changed sketch. */
+  layoutJson(): string;
   reportJson(): string;
   delete(): void;
 }

@@ -137,14 +137,13 @@ class SeedRace {
     }
     this.#next += 1;
     const { sketchJson, settings } = this.#request;
-    const seed = (settings.seed ?? DEFAULT_SEED) + index;
     const watch: SolveWatch = {
       onProgress: (progress, model) => this.#progressed(index, progress, model),
       signal: this.#stop.signal,
     };
     this.#park
       .free()
-      .solve(sketchJson, { ...settings, seed }, watch)
+      .solve(sketchJson, settingsOfTry(settings, index), watch)
       .then((result) => this.#ended(index, result))
       .catch((error: unknown) => this.#fail(error));
   }
@@ -184,6 +183,18 @@ class SeedRace {
     const iterations = this.#seeds.reduce((sum, { progress: p }) => sum + (p?.iterations ?? 0), 0);
     this.#request.watch.onProgress?.({ ...leader.progress, iterations }, news);
   }
+}
+
+/**
+ * What the try of this number is asked: seed s + number. What grows from an earlier layout has one try;
+ * when that does not end buildable the others are those of a search without it.
+ */
+export function settingsOfTry(settings: SolveSettings, index: number): SolveSettings {
+  const { earlier, seed = DEFAULT_SEED, ...others } = settings;
+  if (earlier === undefined) {
+    return { ...others, seed: seed + index };
+  }
+  return index === 0 ? { ...others, seed, earlier } : { ...others, seed: seed + index - 1 };
 }
 
 /** The text is our own module's: tests/contract checks its fields. */

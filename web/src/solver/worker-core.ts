@@ -151,8 +151,14 @@ async function runSearch(
       reporter.report(progress);
       await host.pause();
     }
-    const [modelJson, reportJson] = [session.modelJson(), session.reportJson()];
-    return { kind: 'solved', jobId, modelJson, reportJson, seconds: clock.seconds() };
+    return {
+      kind: 'solved',
+      jobId,
+      modelJson: session.modelJson(),
+      reportJson: session.reportJson(),
+      layoutJson: session.layoutJson(),
+      seconds: clock.seconds(),
+    };
   } finally {
     session.delete();
   }

@@ -27,6 +27,11 @@ export function ResultSection() {
   return (
     <section class={stale.value ? 'result-section stale' : 'result-section'}>
       {shown.final ? <Verdict result={shown} stale={stale.value} /> : null}
+      {shown.final && shown.report.grown === true ? (
+        <p class="quiet" data-testid="grown">
+          {text.result.grown}
+        </p>
+      ) : null}
       {shown.final ? <Numbers result={shown} /> : null}
       {shown.final && shown.problems.length > 0 ? <Problems problems={shown.problems} /> : null}
     </section>
@@ -37,12 +42,15 @@ function Verdict({ result, stale }: { readonly result: ResultState; readonly sta
   const failed = result.items.filter((item) => !item.ok);
   const list = failed.map((item) => inWords(item.title).toLowerCase()).join('; ');
   const why = list === '' ? text.result.failedCount : fillWords(text.result.failedChecks, { list });
+  const pieces = result.report.pieces ?? 1;
   const note = stale
     ? text.solve.stale
     : result.source === 'file'
       ? text.solve.fromFile
       : result.buildable
-        ? text.result.buildableText
+        ? fillWords(pieces > 1 ? text.result.buildablePieces : text.result.buildableText, {
+            n: pieces,
+          })
         : why;
   return (
     <p class={`verdict ${result.buildable ? 'ok' : 'bad'}`} role="status" data-testid="verdict">

@@ -54,6 +54,10 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
   result: {
     buildable: 'Baubar',
     buildableText: 'Alle Prüfungen bestanden.',
+    buildablePieces:
+      'Alle Prüfungen bestanden. Die Skizze hat {n} Teile, also auch das Modell: nichts verbindet sie.',
+    grown:
+      'Es ist aus dem Modell vor deiner Änderung entstanden, damit der Rest bleibt, wie er war. „Neu erzeugen“ macht es von vorn, so wie sein Link.',
     failedChecks: 'Nicht erfüllt: {list}',
     failedCount: 'Was nicht stimmt, steht unten.',
     notBuildable: 'Noch nicht baubar',

@@ -52,6 +52,10 @@ export const SOLVE_EN = {
   result: {
     buildable: 'Buildable',
     buildableText: 'Every check passed.',
+    buildablePieces:
+      'Every check passed. The sketch is in {n} pieces, and so is the model: nothing joins them.',
+    grown:
+      'It went on from the model before your edit, so that the rest stays as it was. “Generate again” makes it anew, as its link does.',
     failedChecks: 'Not met: {list}',
     failedCount: 'See what is wrong below.',
     notBuildable: 'Not buildable yet',
