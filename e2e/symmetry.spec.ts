@@ -1,4 +1,14 @@
-import { expect, generate, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+import type { Page } from '@playwright/test';
+import {
+  downloaded,
+  expect,
+  generate,
+  openEmpty,
+  openText,
+  savedSketch,
+  settled,
+  test,
+} from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -46,4 +56,107 @@ test('a mirror that parts cannot keep is said to differ, and where', async ({ pa
   const differences = page.getByTestId('differences').getByRole('button');
   await expect(differences).toHaveCount(2);
   await expect(differences.first()).toHaveText(/\(-8, 0, 0\) – \(0, 0, 6\)/);
+});
+
+/** A box with a mast off its middle: mirrors through the box, of which the mast leaves one. */
+const BOX = {
+  format: 'technic-sketch',
+  version: 1,
+  lines: [
+    ...[0, 6].flatMap((x) => [0, 8].map((y) => ({ from: [x, y, 0], to: [x, y, 5] }))),
+    ...[0, 5].flatMap((z) => [0, 8].map((y) => ({ from: [0, y, z], to: [6, y, z] }))),
+    ...[0, 5].flatMap((z) => [0, 6].map((x) => ({ from: [x, 0, z], to: [x, 8, z] }))),
+  ],
+};
+
+/** Counts what each frame draws from now on. */
+async function countDrawn(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const counts: number[] = [];
+    Object.assign(window, { counts });
+    let calls = 0;
+    const gl = WebGL2RenderingContext.prototype;
+    for (const name of ['drawArrays', 'drawElements'] as const) {
+      gl[name] = () => {
+        calls += 1;
+      };
+    }
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) =>
+      request((now) => {
+        calls = 0;
+        callback(now);
+        if (calls > 0) {
+          counts.push(calls);
+        }
+      });
+  });
+}
+
+const drawnNow = (page: Page) =>
+  page.evaluate(() => (window as unknown as { counts: number[] }).counts.at(-1) ?? 0);
+
+/** Whether each beam has another (or is one itself) where a mirror puts it. */
+function isMirrored(model: string, k: 0 | 1 | 2, twice: number): boolean {
+  const { parts } = JSON.parse(model) as {
+    parts: { part: string; layer: number; component: number; position: number[] }[];
+  };
+  const beams = parts.filter(({ component }) => component >= 0);
+  const key = (part: string, at: readonly number[]) =>
+    `${part} ${at.map((x) => (Math.round(x * 100) / 100 + 0).toFixed(2)).join(' ')}`;
+  const known = new Set(beams.map(({ part, position }) => key(part, position)));
+  return beams.every(({ part, position }) => {
+    const image = position.map((x, i) => (i === k ? twice - x : x));
+    return known.has(key(part, image));
+  });
+}
+
+test('a mirror is shown when pointed at, kept by a click, and found again in the model', async ({
+  page,
+}) => {
+  await openEmpty(page);
+  await openText(page, JSON.stringify(BOX));
+  await page.getByRole('heading', { name: 'Symmetry' }).click();
+  const mirror = page.getByRole('checkbox', { name: 'Mirror at x = 3' });
+  await expect(mirror).toBeVisible();
+  await countDrawn(page);
+  await page.mouse.move(5, 400);
+  await page.keyboard.press('f');
+  await settled(page);
+  const before = await drawnNow(page);
+  // The plane and its frame.
+  await mirror.hover();
+  await settled(page);
+  expect(await drawnNow(page)).toBe(before + 3);
+  await page.mouse.move(5, 400);
+  await settled(page);
+  expect(await drawnNow(page)).toBe(before);
+  await mirror.click();
+  await page.mouse.move(5, 400);
+  await settled(page);
+  expect(await drawnNow(page)).toBe(before + 3);
+  const saved = (await savedSketch(page)) as { symmetries?: unknown[] };
+  expect(saved.symmetries).toMatchObject([{ kind: 'reflection', normal: [1, 0, 0], offset: 3 }]);
+  await generate(page);
+  await expect(page.getByTestId('verdict')).toContainText('Buildable');
+  await expect(page.getByTestId('differences')).toHaveCount(0);
+  const model = await downloaded(page, () =>
+    page.getByRole('button', { name: 'Model', exact: true }).click(),
+  );
+  expect(isMirrored(model, 0, 6)).toBe(true);
+});
+
+test('a mirror that the rest of the sketch breaks is offered for its lines alone', async ({
+  page,
+}) => {
+  await openEmpty(page);
+  const lines = [...BOX.lines, { from: [6, 8, 5], to: [6, 8, 12] }];
+  await openText(page, JSON.stringify({ ...BOX, lines }));
+  await page.getByRole('heading', { name: 'Symmetry' }).click();
+  const part = page.getByRole('checkbox', { name: '12 lines mirrored at x = 3' });
+  await part.click();
+  const { symmetries } = (await savedSketch(page)) as { symmetries?: { lines?: number[] }[] };
+  expect(symmetries?.[0]?.lines).toHaveLength(12);
+  await page.keyboard.press('Control+z');
+  expect(await savedSketch(page)).not.toHaveProperty('symmetries');
 });
