@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import { FIELD_OF_VIEW, fitPoints } from '../../web/src/view/scene/fit-points.ts';
+import { FIELD_OF_VIEW, fitPoints, PAGE_MARGINS } from '../../web/src/view/scene/fit-points.ts';
 import { VIEW_DIRECTIONS } from '../../web/src/view/scene/standard-views.ts';
 import type { StandardView } from '../../web/src/view/view-types.ts';
 
@@ -32,7 +32,7 @@ export class Camera {
   ) {
     const direction = new Vector3(...VIEW_DIRECTIONS[view]).normalize();
     const points = shown.length > 0 ? shown : EMPTY_BOX;
-    const { target, away } = fitPoints(points, direction, box.width / box.height);
+    const { target, away } = fitPoints(points, direction, box.width / box.height, PAGE_MARGINS);
     this.#box = box;
     this.#target = target;
     this.#right = new Vector3(0, 0, 1).cross(direction).normalize();

@@ -4,11 +4,13 @@ import { connectedLines, joinLines } from '../../../web/src/state/connectivity.t
 import {
   addLines,
   mapLine,
+  mapLines,
   mirrorAt,
   quarterTurn,
   removeLines,
   setExact,
   setHoleAxis,
+  shift,
   splitAt,
 } from '../../../web/src/state/edits.ts';
 
@@ -41,6 +43,37 @@ describe('edits', () => {
 
   it('drops a joint with nothing left on one side', () => {
     expect(removeLines(SKETCH, new Set([0])).joints).toBeUndefined();
+  });
+
+  it('takes a joint along when its lines are moved', () => {
+    const moved = mapLines(SKETCH, new Set([0, 1, 2]), shift([1, 0, 2]));
+    expect(moved.joints).toEqual([{ at: [7, 0, 2], axis: [0, 0, 1], between: [[0], [1, 2]] }]);
+    const turned = mapLines(SKETCH, new Set([0, 1, 2, 3]), quarterTurn('x', [0, 0, 0]));
+    expect(turned.joints).toMatchObject([{ at: [6, 0, 0], axis: [0, -1, 0] }]);
+  });
+
+  it('leaves a joint where others of its lines stay, and drops one whose lines part', () => {
+    expect(mapLines(SKETCH, new Set([3]), shift([1, 0, 0])).joints).toEqual(SKETCH.joints);
+    expect(mapLines(SKETCH, new Set([0]), shift([0, 0, 2]))).not.toHaveProperty('joints');
+  });
+
+  it('takes symmetries along when everything is moved', () => {
+    const mirrored: SketchDocument = {
+      ...SKETCH,
+      symmetries: [
+        ...(SKETCH.symmetries ?? []),
+        { kind: 'reflection', normal: [1, 0, 0], offset: 3 },
+      ],
+    };
+    const all = new Set(SKETCH.lines.keys());
+    expect(mapLines(mirrored, all, quarterTurn('z', [0, 0, 0])).symmetries).toEqual([
+      { kind: 'translation', vector: [-4, 0, 0], pairs: [[0, 3]] },
+      { kind: 'reflection', normal: [0, 1, 0], offset: 3 },
+    ]);
+    expect(mapLines(mirrored, all, shift([2, 0, 0])).symmetries).toMatchObject([
+      { vector: [0, 4, 0] },
+      { normal: [1, 0, 0], offset: 5 },
+    ]);
   });
 
   it('is itself again after four quarter turns', () => {

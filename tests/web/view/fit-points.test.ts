@@ -34,6 +34,13 @@ describe('fitPoints', () => {
     }
   });
 
+  it('leaves room above and below where it is asked to', () => {
+    const direction = new Vector3(0, -1, 0);
+    const plain = fitPoints(box, direction, 4);
+    const roomy = fitPoints(box, direction, 4, { across: 1.14, up: 2.28 });
+    expect(roomy.away).toBeGreaterThan(1.5 * plain.away);
+  });
+
   it.each([2.2, 1, 0.5])('fills most of the picture one way (aspect %s)', (aspect) => {
     for (const direction of views) {
       const points = seen(direction, aspect);

@@ -9,6 +9,8 @@ import {
   type SketchSymmetry,
 } from '../model/sketch.ts';
 
+import { followLines } from './follow-lines.ts';
+
 // Every edit is a function from a sketch to a sketch; nothing here touches a store.
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
@@ -69,14 +71,14 @@ export function replaceLines(
   return { ...sketch, lines: sketch.lines.map((line, i) => changed.get(i) ?? line) };
 }
 
-/** Moves, turns or mirrors some lines in place. */
+/** Moves, turns or mirrors some lines in place, with what is said about them. */
 export function mapLines(
   sketch: SketchDocument,
   indices: ReadonlySet<number>,
   map: LineMap,
 ): SketchDocument {
   const lines = sketch.lines.map((line, i) => (indices.has(i) ? mapLine(line, map) : line));
-  return { ...sketch, lines };
+  return followLines({ before: sketch, lines, moved: indices, point: map.point });
 }
 
 /** One line under a map. */

@@ -2,7 +2,7 @@ import { MOUSE, OrthographicCamera, PerspectiveCamera, Spherical, TOUCH, Vector3
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../geometry/vec.ts';
 import type { Navigation, Projection, StandardView } from '../view-types.ts';
-import { FIELD_OF_VIEW, fitPoints } from './fit-points.ts';
+import { FIELD_OF_VIEW, fitPoints, PAGE_MARGINS } from './fit-points.ts';
 import { VIEW_DIRECTIONS } from './standard-views.ts';
 
 /** Radians from straight up and down where turning by keys stops. */
@@ -123,7 +123,7 @@ export class CameraRig {
     const direction = view
       ? new Vector3(...VIEW_DIRECTIONS[view]).normalize()
       : this.camera.position.clone().sub(this.controls.target).normalize();
-    const { target, away } = fitPoints(points, direction, this.#aspect);
+    const { target, away } = fitPoints(points, direction, this.#aspect, PAGE_MARGINS);
     const eye = target.clone().addScaledVector(direction, away);
     this.#moveTo(target, eye, this.#heightAt(away));
   }

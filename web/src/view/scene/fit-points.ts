@@ -4,8 +4,15 @@ import type { Vec3 } from '../../geometry/vec.ts';
 /** Vertical opening of the perspective camera, degrees. */
 export const FIELD_OF_VIEW = 26;
 
-/** Space left round what is fitted, as a factor. */
-const MARGIN = 1.14;
+/** Space left beside what is fitted, and above and below it, as factors. */
+export interface Margins {
+  readonly across: number;
+  readonly up: number;
+}
+
+const EVEN: Margins = { across: 1.14, up: 1.14 };
+/** On the page, bars float over the upper and the lower edge of the picture. */
+export const PAGE_MARGINS: Margins = { across: 1.14, up: 1.34 };
 const NEAREST = 4;
 const FARTHEST = 1500;
 /** Each round centres the picture better; the third changes it by less than a pixel. */
@@ -20,6 +27,7 @@ export function fitPoints(
   points: readonly Vec3[],
   direction: Vector3,
   aspect: number,
+  margins: Margins = EVEN,
 ): { target: Vector3; away: number } {
   const right = new Vector3(0, 0, 1).cross(direction).normalize();
   const up = direction.clone().cross(right).normalize();
@@ -33,7 +41,7 @@ export function fitPoints(
     });
     away = NEAREST;
     for (const { u, v, depth } of seen) {
-      const reach = Math.max(Math.abs(u) / aspect, Math.abs(v)) * MARGIN;
+      const reach = Math.max((Math.abs(u) * margins.across) / aspect, Math.abs(v) * margins.up);
       away = Math.max(away, reach / slope + depth);
     }
     const shift = offCentre(seen, away);
