@@ -1,4 +1,4 @@
-import { expect, openPage, runCommand, test } from './helpers/test.ts';
+import { clickPlaces, expect, openPage, runCommand, savedSketch, test } from './helpers/test.ts';
 
 // Small: without a graphics card each pixel counts.
 test.use({ viewport: { width: 900, height: 500 } });
@@ -19,6 +19,20 @@ test.describe('without looking at the drawing', () => {
     await expect(page.getByLabel('Name of the sketch')).toHaveValue('House');
     await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
   });
+});
+
+test('a newcomer’s box is a model after a few clicks, and nothing else', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Draw your own' }).click();
+  await expect(page.getByText('It comes by itself')).toBeVisible();
+  await page.getByRole('button', { name: 'Box frame' }).click();
+  await clickPlaces(page, [
+    [-120, 0],
+    [120, -40],
+    [120, 60],
+  ]);
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  expect((await savedSketch(page)).lines).toHaveLength(12);
 });
 
 test('the picture is saved as PNG', async ({ page }) => {

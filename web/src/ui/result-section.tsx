@@ -12,14 +12,15 @@ const SHOWN_PROBLEMS = 12;
 
 /** The verdict and the numbers of the model on screen. */
 export function ResultSection() {
-  const { result, stale, solve } = usePage();
+  const { result, stale, solve, preferences, small } = usePage();
   const shown = result.value;
+  const alone = preferences.value.autoSolve && small.value;
   if (!shown) {
     return solve.value.phase === 'solving' ? null : (
       <section class="result-section">
         <p class="verdict none">
           <strong>{text.result.noModel}</strong>
-          <span>{text.result.noModelText}</span>
+          <span>{alone ? text.result.noModelAuto : text.result.noModelText}</span>
         </p>
       </section>
     );

@@ -17,9 +17,9 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
   },
   hints: {
     select: 'Eine Linie anklicken wählt sie aus, Ziehen dreht die Ansicht. Umschalt wählt mehr.',
-    line: 'Klicken Sie einen Punkt an, um eine Linie zu beginnen.',
+    line: 'Klicken Sie einen Punkt an, um eine Linie zu beginnen. Quader und Gitter haben eigene Werkzeuge.',
     lineNext:
-      'Nächsten Punkt anklicken oder Länge tippen. X Y Z sperren eine Achse, Tab dreht die Ebene.',
+      'Nächsten Punkt anklicken oder Länge tippen; Esc beendet. X Y Z sperren eine Achse, Tab dreht die Ebene.',
     rectangle: 'Klicken Sie eine Ecke des Rechtecks an.',
     rectangleNext: 'Klicken Sie die Ecke gegenüber an.',
     box: 'Klicken Sie eine Ecke der Grundfläche an.',

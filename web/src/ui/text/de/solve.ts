@@ -55,14 +55,15 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     buildable: 'Baubar',
     buildableText: 'Alle Prüfungen bestanden.',
     buildablePieces:
-      'Alle Prüfungen bestanden. Die Skizze hat {n} Teile, also auch das Modell: nichts verbindet sie.',
+      'Alle Prüfungen bestanden. Skizze und Modell bestehen aus {n} getrennten Stücken.',
     grown:
-      'Es ist aus dem Modell vor deiner Änderung entstanden, damit der Rest bleibt, wie er war. „Neu erzeugen“ macht es von vorn, so wie sein Link.',
+      'Es ist aus dem vorigen Modell entstanden. „Neu erzeugen“ macht es von vorn, wie ein Link.',
     failedChecks: 'Nicht erfüllt: {list}',
     failedCount: 'Was nicht stimmt, steht unten.',
     notBuildable: 'Noch nicht baubar',
     noModel: 'Noch kein Modell',
     noModelText: 'Zeichnen Sie Linien und drücken Sie auf Erzeugen.',
+    noModelAuto: 'Es kommt von selbst, kurz nachdem Sie gezeichnet haben.',
     beams: 'Balken',
     bound: 'mindestens {n}',
     bricks: 'Teile',

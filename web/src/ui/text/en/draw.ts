@@ -16,8 +16,9 @@ export const DRAW_EN = {
   },
   hints: {
     select: 'Click a line to select it, drag to turn the view. Shift selects more.',
-    line: 'Click a point to begin a line.',
-    lineNext: 'Click the next point or type a length. X Y Z lock an axis, Tab turns the plane.',
+    line: 'Click a point to begin a line. Boxes and grids have tools of their own.',
+    lineNext:
+      'Click the next point or type a length; Escape ends. X Y Z lock an axis, Tab turns the plane.',
     rectangle: 'Click one corner of the rectangle.',
     rectangleNext: 'Click the opposite corner.',
     box: 'Click one corner of the base.',

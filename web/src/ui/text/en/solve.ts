@@ -52,15 +52,14 @@ export const SOLVE_EN = {
   result: {
     buildable: 'Buildable',
     buildableText: 'Every check passed.',
-    buildablePieces:
-      'Every check passed. The sketch is in {n} pieces, and so is the model: nothing joins them.',
-    grown:
-      'It went on from the model before your edit, so that the rest stays as it was. “Generate again” makes it anew, as its link does.',
+    buildablePieces: 'Every check passed. Sketch and model are in {n} separate pieces.',
+    grown: 'It went on from the model before. “Generate again” makes it anew, as a link does.',
     failedChecks: 'Not met: {list}',
     failedCount: 'See what is wrong below.',
     notBuildable: 'Not buildable yet',
     noModel: 'No model yet',
     noModelText: 'Draw lines and press Generate.',
+    noModelAuto: 'It comes by itself a moment after you have drawn.',
     beams: 'Beams',
     bound: 'at least {n}',
     bricks: 'Bricks',
