@@ -10,7 +10,7 @@ import { exitWith, StepError } from './lib/run.mjs';
 import { machine, sketchFiles, sketchName, solve, wholeNumber } from './lib/solve.mjs';
 
 const USAGE = `npm run ablate [-- SKETCH... options]
-  SKETCH         a file or a name in ../shared/sketches; without any: a dozen of all kinds
+  SKETCH         a file or a name in ../shared/sketches; without any: some of all kinds
   --seeds N      seeds 1 to N for each sketch and part (default 4)
   --only PART    one part alone, by its key in the table; can be repeated
   --timeout S    seconds after which a run is stopped and counts as failed (default 60)
@@ -24,6 +24,7 @@ const SKETCHES = [
   'crossbow',
   'cube_5',
   'cube_9',
+  'excavator',
   'flying_kite',
   'grid_4',
   'grid_8',
@@ -31,6 +32,7 @@ const SKETCHES = [
   'lifter',
   'long_bow',
   'picker',
+  'tower_2d',
 ];
 
 function readOptions() {

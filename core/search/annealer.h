@@ -40,7 +40,7 @@ struct AnnealingOptions {
   double startTemperature = 6.0;  //!< in units of the energy
   double endTemperature = 0.25;
   std::uint32_t iterationsPerRun = 60;
-  std::uint32_t minIterations = 800;
+  std::uint32_t minIterations = 1600;
   std::uint32_t maxRounds = 17;  //!< further rounds while no layout without violations was found
   SearchParts parts;
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
