@@ -76,6 +76,9 @@ class Planner {
       Removal removal = next(state);
       if (removal.parts.empty()) {
         removal = force(state);
+      } else if (wishes_.holdTogether) {
+        Removal larger = leaving(state, state.withLoose(removal.parts));
+        removal = larger.parts.size() > removal.parts.size() ? std::move(larger) : removal;
       }
       state.remove(removal.parts);
       last_ = removal.parts.front();
@@ -270,7 +273,7 @@ class Planner {
   [[nodiscard]] Removal leavingSide(const DisassemblyState& state,
                                     const std::vector<Candidate>& singles) const {
     for (const Candidate& candidate : singles) {
-      std::vector<std::vector<int>> sides = state.componentsWithout(candidate.part);
+      std::vector<std::vector<int>> sides = state.componentsWithout({candidate.part});
       sortBySize(sides);
       for (const std::vector<int>& side : sides) {
         if (2 * side.size() > state.parts().size()) {

@@ -50,6 +50,8 @@ struct DisassemblyWishes {
   //! Whether parts stand by themselves: of the parts that could leave the whole next, one that lets
   //! the rest stand is taken. May be empty.
   std::function<bool(const std::vector<int>&)> stands;
+  //! Parts that nothing else holds leave together with what held them.
+  bool holdTogether = false;
 };
 
 //! \brief Takes a model apart by straight moves of single parts and connected subassemblies.

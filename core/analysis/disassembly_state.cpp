@@ -193,10 +193,28 @@ std::vector<std::vector<int>> DisassemblyState::components() const {
   return componentsOf(active_);
 }
 
-std::vector<std::vector<int>> DisassemblyState::componentsWithout(int part) const {
+std::vector<std::vector<int>> DisassemblyState::componentsWithout(
+    const std::vector<int>& set) const {
   std::vector<char> inside = active_;
-  inside[at(part)] = 0;
+  for (const int part : set) {
+    inside[at(part)] = 0;
+  }
   return componentsOf(inside);
+}
+
+std::vector<int> DisassemblyState::withLoose(const std::vector<int>& set) const {
+  std::vector<std::vector<int>> left = componentsWithout(set);
+  if (left.size() < 2) {
+    return set;
+  }
+  const auto smaller = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  left.erase(std::max_element(left.begin(), left.end(), smaller));
+  std::vector<int> larger = set;
+  for (const std::vector<int>& loose : left) {
+    larger.insert(larger.end(), loose.begin(), loose.end());
+  }
+  std::sort(larger.begin(), larger.end());
+  return 2 * larger.size() <= parts_.size() && connected(larger) ? larger : set;
 }
 
 bool DisassemblyState::connected(const std::vector<int>& set) const {

@@ -37,8 +37,12 @@ class DisassemblyState {
   //! \brief Connected sets of parts, each ascending, in order of their first part.
   [[nodiscard]] std::vector<std::vector<int>> components() const;
 
-  //! \brief The same without one part.
-  [[nodiscard]] std::vector<std::vector<int>> componentsWithout(int part) const;
+  //! \brief The same without some parts.
+  [[nodiscard]] std::vector<std::vector<int>> componentsWithout(const std::vector<int>& set) const;
+
+  //! \brief A set with all that would hang on nothing once it has left, if that is less than half
+  //! and hangs together; else the set alone. \param set Ascending.
+  [[nodiscard]] std::vector<int> withLoose(const std::vector<int>& set) const;
 
   //! \brief For each part of the model, whether its leaving would divide what it is connected to:
   //! articulation points \cite tarjan_1972_depth.

@@ -97,14 +97,14 @@ class Writer {
     Step step{number_[g], {}, false};
     const auto finish = [&] {
       if (!step.adds.empty()) {
-        step.stable = standAnyway(scene_, connectedSets(built));
+        step.stable = stands(built);
         sequence_.steps.push_back(std::move(step));
         step = {number_[g], {}, false};
       }
     };
     for (auto removal = removals.rbegin(); removal != removals.rend(); ++removal) {
       Add add = reversed(*removal);
-      if (!joins(step, add, built.size())) {
+      if (!joins(step, add, built.size()) && !mustGoOn(step, built)) {
         finish();
       }
       if (add.subgroup >= 0) {
@@ -120,6 +120,16 @@ class Writer {
       step.adds.push_back(std::move(add));
     }
     finish();
+  }
+
+  [[nodiscard]] bool stands(const std::vector<int>& parts) const {
+    return standAnyway(scene_, connectedSets(parts));
+  }
+
+  //! Whether parts would hang in the air if the step ended here: what joins them comes next.
+  [[nodiscard]] bool mustGoOn(const Step& step, const std::vector<int>& built) const {
+    return !step.adds.empty() && step.adds.size() < kMaxPartsInStep &&
+           connectedSets(built).size() > 1 && !stands(built);
   }
 
   //! Whether one picture can show this too: a few pins and connectors and then what goes on them,
@@ -224,6 +234,7 @@ Sequence planSequence(const Scene& scene) {
   wishes.units = findRepeatedFrames(scene);
   const Footing footing(scene);
   wishes.stands = [&](const std::vector<int>& parts) { return footing.stands(parts); };
+  wishes.holdTogether = true;
   const DisassemblyPlan plan = analysis::planDisassembly(scene, wishes);
   return Writer(scene, plan).run();
 }
