@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test';
 import { countFrames, readImage, readPdf, readVideo, readZip } from './helpers/readers.ts';
 import { bytesOf, openModelRoom } from './helpers/rooms.ts';
 import { expect, test } from './helpers/test.ts';
@@ -6,6 +7,19 @@ test.use({ draws: false });
 
 const PICTURE = '.step-picture canvas[data-step]';
 
+/** Draws over the step: to the left, when `by` is below zero, for the next one. */
+async function swipe(page: Page, by: number): Promise<void> {
+  const box = await page.locator('.step-picture').boundingBox();
+  if (!box) {
+    throw new Error('no picture');
+  }
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + by, y, { steps: 3 });
+  await page.mouse.up();
+}
+
 test('steps are read, ticked off and remembered', async ({ page }) => {
   await openModelRoom(page, 'instructions', 'examples/square-frame');
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '1', { timeout: 90_000 });
@@ -13,6 +27,12 @@ test('steps are read, ticked off and remembered', async ({ page }) => {
   await page.keyboard.press('ArrowRight');
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
   await page.keyboard.press('ArrowLeft');
+  await swipe(page, 200);
+  await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '1');
+  await swipe(page, -200);
+  await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
+  await page.keyboard.press('Home');
+  await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '1');
   await page.keyboard.press(' ');
   await expect(page.getByText(/^1 of \d+ steps done$/)).toBeVisible();
   await page.reload();

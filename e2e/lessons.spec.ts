@@ -130,11 +130,30 @@ test('taking apart: blocked parts say so, pairs move together', async ({ page })
   await expect(praise(page)).toContainText('2 moves');
 });
 
+test('a presentation has large type and figures that fit the projector', async ({ page }) => {
+  await page.setViewportSize({ width: 1920, height: 1080 });
+  await openLesson(page, 'folding');
+  const type = () =>
+    page.locator('.lesson-task').evaluate((task) => parseFloat(getComputedStyle(task).fontSize));
+  const usual = await type();
+  await page.getByRole('button', { name: 'Presentation mode' }).click();
+  await expect.poll(type).toBeGreaterThanOrEqual(24);
+  // The figure and what it is changed with are on screen together.
+  await expect(page.locator('.lesson-figure').first()).toBeInViewport({ ratio: 1 });
+  await expect(page.getByRole('group', { name: 'Brace' })).toBeInViewport();
+  await page.getByRole('button', { name: 'End presentation' }).click();
+  await expect.poll(type).toBe(usual);
+});
+
 test('the teacher’s page has a code for each lesson and model', async ({ page }) => {
   await openLessonsTeacher(page);
   await expect(page.locator('.handouts .qr-code')).toHaveCount(6 + 26, { timeout: 60_000 });
   const link = page.locator('.handouts a').last();
   await expect(link).toHaveAttribute('href', /#s\d+\./);
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.getByRole('button', { name: 'Print' })).toBeHidden();
+  await expect(page.locator('.room-head')).toBeHidden();
+  await expect(page.locator('.handouts .qr-code').last()).toBeVisible();
 });
 
 async function openLessonsTeacher(page: Page): Promise<void> {

@@ -6,6 +6,7 @@ import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
 import { answerOf, motionStatus } from './motion-status.ts';
 import { motionWords as words } from './motion-words.ts';
+import { NumberList } from './number-list.tsx';
 import './motion.css';
 
 /** Of a unit vector: less along an axis is not worth a word. */
@@ -55,14 +56,7 @@ function BalancePicture({ balance }: { readonly balance: Balance }) {
   return (
     <div class="motion-check">
       <p class="quiet">{words.aboutBalance}</p>
-      <dl class="motion-numbers">
-        {rows.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
+      <NumberList rows={rows} />
     </div>
   );
 }

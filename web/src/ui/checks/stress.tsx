@@ -11,6 +11,7 @@ import type { Page, ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
 import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
+import { NumberList } from './number-list.tsx';
 import { LoadForm } from './stress-load-form.tsx';
 import { useStressScene } from './stress-scene.ts';
 import { type StressProgress, studyOf } from './stress-study.ts';
@@ -130,16 +131,7 @@ function Numbers({ result }: { readonly result: StressResult }) {
     [words.pinShear, `${formatNumber(shear, 3)} MPa`],
     [words.weight, `${formatNumber(result.weight, 2)} N`],
   ];
-  return (
-    <dl class="stress-numbers">
-      {rows.map(([name, value]) => (
-        <div key={name}>
-          <dt>{name}</dt>
-          <dd>{value}</dd>
-        </div>
-      ))}
-    </dl>
-  );
+  return <NumberList rows={rows} />;
 }
 
 function Legend({ result }: { readonly result: StressResult }) {
