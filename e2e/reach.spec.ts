@@ -1,11 +1,7 @@
 // Everything that can be done can be done from the keyboard.
 import type { Page } from '@playwright/test';
-import { signal } from '@preact/signals';
+import type { Actions } from '../web/src/app/actions.ts';
 import { commandTable } from '../web/src/app/commands.ts';
-import { PageController } from '../web/src/app/page-controller.ts';
-import { Catalogue } from '../web/src/model/catalogue.ts';
-import { PREFERENCE_DEFAULTS } from '../web/src/state/preferences.ts';
-import { SketchStore } from '../web/src/state/store.ts';
 import { linkOf } from './helpers/links.ts';
 import { expect, openPage, test } from './helpers/test.ts';
 
@@ -56,6 +52,11 @@ const LAST = [
 /** There only while a search runs (access.spec.ts), with something undone or hidden. */
 const IN_OTHER_STATES = ['cancel', 'redo', 'isolateNone'];
 
+/** Has every property, and each is this again: enough to make the table of commands, of which only the names are read. */
+const ANYTHING: Actions = new Proxy(() => undefined, {
+  get: () => ANYTHING,
+}) as unknown as Actions;
+
 interface Row {
   readonly id: string;
   readonly label: string;
@@ -87,6 +88,7 @@ async function leave(page: Page): Promise<void> {
 }
 
 test('every command is found in the palette by its name and runs', async ({ page }) => {
+  test.setTimeout(240_000);
   await page.addInitScript(() => {
     if (localStorage.getItem('liftarm/preferences') === null) {
       localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
@@ -127,14 +129,7 @@ test('every command is found in the palette by its name and runs', async ({ page
   for (const row of all.sort((a, b) => rank(a) - rank(b))) {
     await run(row);
   }
-  const table = commandTable(
-    new PageController({
-      store: new SketchStore(),
-      preferences: signal(PREFERENCE_DEFAULTS),
-      catalogue: new Catalogue([]),
-      client: {} as never,
-    }),
-  );
+  const table = commandTable(ANYTHING);
   const missing = table.all.map(({ id }) => id).filter((id) => !done.has(id));
   expect(missing.sort()).toEqual([...IN_OTHER_STATES].sort());
 });
