@@ -1,4 +1,4 @@
-import { test as base, expect, type Page } from '@playwright/test';
+import { test as base, expect, type Locator, type Page } from '@playwright/test';
 
 /** Software rendering waits for its pixels and says so; that is no fault of the page. */
 const HARMLESS = /GPU stall due to ReadPixels/;
@@ -110,10 +110,20 @@ export async function openText(page: Page, content: string, name = 'a.sketch.jso
   throw new Error('the page opened no file dialog');
 }
 
+/** Opens the palette. A key that comes while another sheet is still closing is not taken: once more then. */
+export async function openPalette(page: Page): Promise<Locator> {
+  const input = page.getByRole('combobox', { name: 'Search for a command' });
+  await expect(async () => {
+    await page.keyboard.press('Control+k');
+    await expect(input).toBeVisible({ timeout: 2000 });
+  }).toPass();
+  return input;
+}
+
 /** Runs the command that the palette finds first for some words. */
 export async function runCommand(page: Page, words: string): Promise<void> {
-  await page.keyboard.press('Control+k');
-  await page.getByRole('combobox', { name: 'Search for a command' }).fill(words);
+  const input = await openPalette(page);
+  await input.fill(words);
   await page.keyboard.press('Enter');
 }
 
