@@ -127,6 +127,7 @@ class Annealer final : public LayoutSearch {
   void startAgain();
   void offerAgain();
   [[nodiscard]] bool isBuildable(const LayoutSnapshot& layout) const;
+  [[nodiscard]] bool mayVary() const;
   bool varyConnection(int run);
   [[nodiscard]] LayoutSnapshot snapshot() const;
   bool passes(double limit);
@@ -158,7 +159,8 @@ class Annealer final : public LayoutSearch {
   // Rounds that make the model stiff: some from the best layout, then some from that of another
   // start, and so on.
   bool stiffening_ = false;
-  bool again_ = false;  // another start than that of best_, with a best of its own
+  bool again_ = false;  // another start than the first, with a best of its own
+  std::uint32_t startsAgain_ = 0;
   LayoutSnapshot bestAgain_;
   double plainTemperature_ = 0.0;  // that rounds start from which do not stiffen
   std::uint32_t stiffRounds_ = 0;  // of this start ...

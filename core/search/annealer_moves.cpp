@@ -253,7 +253,7 @@ void Annealer::move() {
   const bool corner =
       !many && !calm && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
   const bool mirrored = !many && !corner && parts.mirrors && !calm && rng_.unit() < kPickMirror;
-  const bool varied = stiffening_ && parts.variants && rng_.unit() < kPickVariant;
+  const bool varied = mayVary() && rng_.unit() < kPickVariant;
   bool changed = false;
   if (varied) {
     changed = varyConnection(run);

@@ -83,6 +83,7 @@ void Annealer::startAgain() {
   }
   stiffening_ = false;
   again_ = true;
+  ++startsAgain_;
   bestAgain_ = {};
   freedoms_ = 0;
   freedomCost_ = 0.0;
@@ -128,6 +129,12 @@ bool Annealer::passes(double limit) {
 
 bool Annealer::isBuildable(const LayoutSnapshot& layout) const {
   return !options_.buildable || options_.buildable(layout);
+}
+
+//! Dearer connections take time and parts, and other hole axes alone make most models stiff: so
+//! only every other start has them, from the third on.
+bool Annealer::mayVary() const {
+  return stiffening_ && options_.parts.variants && startsAgain_ >= 2 && startsAgain_ % 2 == 0;
 }
 
 //! Joins the beams of a junction of this run another way: what is dearer may be stiffer.
