@@ -29,6 +29,26 @@ json problemsJson(const analysis::CheckReport& check) {
   return problems;
 }
 
+//! Straight stretches for which no beams of the lengths in use fit.
+void addBareLines(const ReportInput& input, json* problems) {
+  const search::LayoutSnapshot& best = input.search.best();
+  const guide::GuidingGraph& graph = input.problem.graph;
+  for (std::size_t r = 0; r < best.covers.size(); ++r) {
+    if (!best.covers[r].beams.empty()) {
+      continue;
+    }
+    const guide::GuideRun& run = graph.runs[r];
+    std::string message = "no beams in use make up the " + std::to_string(run.edgeCount()) +
+                          " modules of the line from here";
+    message += run.exact ? ": on an exact line they may neither overlap nor stick out" : "";
+    problems->push_back(
+        {{"kind", "line"},
+         {"message", message},
+         {"at", pointJson(graph.nodes[static_cast<std::size_t>(run.nodes.front())])},
+         {"parts", json::array()}});
+  }
+}
+
 //! Places where the search itself knows that it failed; the checks see their effects only.
 void addSearchProblems(const ReportInput& input, json* problems) {
   const search::LayoutSnapshot& best = input.search.best();
@@ -49,6 +69,7 @@ void addSearchProblems(const ReportInput& input, json* problems) {
                          {"at", pointJson(at)},
                          {"parts", json::array()}});
   }
+  addBareLines(input, problems);
 }
 
 //! Parts that are owned too few of, and a problem for each.

@@ -38,6 +38,20 @@ TEST(DesignSession, RefusesABadSketchWithItsMessage) {
   EXPECT_EQ(session.error().message, sketch.error().message);
 }
 
+TEST(DesignSession, SaysWhichLineNoBeamsMakeUp) {
+  // Four holes, no overlap and nothing beside the line: no beam has them all round.
+  sketch::Sketch sketch = testing::lineSketch(3);
+  sketch.lines.front().exact = true;
+  const json report = json::parse(finished(sketch)->reportJson());
+  EXPECT_FALSE(report["buildable"].get<bool>());
+  std::string messages;
+  for (const json& problem : report["problems"]) {
+    messages += problem["kind"] == "line" ? problem["message"].get<std::string>() : "";
+  }
+  EXPECT_NE(messages.find("3 modules of the line from here: on an exact line"), std::string::npos)
+      << report["problems"];
+}
+
 TEST(DesignSession, RefusesBadSettingsWithTheirMessage) {
   const auto session = DesignSession::create(sketch::writeSketch(testing::squareSketch(8)),
                                              R"({"preset": "cheap"})");

@@ -177,7 +177,7 @@ TEST(RunCoverer, StaysAboveTheGround) {
   }
 }
 
-TEST(RunCoverer, DISABLED_LeavesNoLayerOfAnExactLineThatNoBeamFits) {
+TEST(RunCoverer, LeavesNoLayerOfAnExactLineThatNoBeamFits) {
   // Four holes: there is no such beam, and a second one would need another layer.
   sketch::Sketch sketch = testing::lineSketch(3);
   sketch.lines.front().exact = true;

@@ -101,6 +101,14 @@ const PROBLEMS: Sentences = [
     'die Linien, die sich hier treffen, ließen sich nicht alle verbinden',
   ],
   [
+    'no beams in use make up the {n} modules of the line from here: on an exact line they may neither overlap nor stick out',
+    'keine Balken im Satz ergeben die {n} Module der Linie von hier: Auf einer genauen Linie dürfen sie weder überlappen noch überstehen',
+  ],
+  [
+    'no beams in use make up the {n} modules of the line from here',
+    'keine Balken im Satz ergeben die {n} Module der Linie von hier',
+  ],
+  [
     'the beams stacked here leave an empty layer',
     'die hier gestapelten Balken lassen eine Lage leer',
   ],
