@@ -282,11 +282,12 @@ bool Annealer::advance(std::uint32_t iterations) {
   if (!started_) {
     start();
   }
-  const double ratio = options_.endTemperature / options_.startTemperature;
   for (std::uint32_t i = 0; i < iterations && !done_; ++i) {
     const double share =
         static_cast<double>(iteration_ - roundBegin_) / static_cast<double>(roundLength_);
     if ((iteration_ & 15U) == 0) {
+      // A round may start from another temperature than the one before it, in mid-slice.
+      const double ratio = options_.endTemperature / options_.startTemperature;
       temperature_ = options_.startTemperature * base::detExp(base::detLog(ratio) * share);
     }
     move();

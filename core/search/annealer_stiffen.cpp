@@ -15,6 +15,7 @@ constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 8, 12, 20};
 // few.
 constexpr double kMostWork = 1.5e7;
 constexpr std::uint32_t kLeastRounds = 3;
+constexpr std::uint32_t kMostRounds = 40;  // small sketches would go on for thousands
 // What has more freedoms left than these after so many rounds is not made to be stiff.
 constexpr std::uint32_t kHopefulRounds = 9;
 constexpr int kFewFreedoms = 6;
@@ -38,7 +39,8 @@ void Annealer::goOnStiffening() {
   const auto runs = static_cast<double>(problem_->graph.runs.size());
   stiffWork_ += stiffening_ || again_ ? static_cast<double>(roundLength_) * runs * runs : 0.0;
   const bool hopeless = allStiffRounds_ >= kHopefulRounds && best_.freedoms > kFewFreedoms;
-  if (hopeless || (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
+  if (hopeless || allStiffRounds_ >= kMostRounds ||
+      (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
     done_ = true;
     return;
   }

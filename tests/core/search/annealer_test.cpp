@@ -70,6 +70,19 @@ TEST(Annealer, GivesTheSameResultInSlicesOfAnySize) {
   expectSameBest(whole.annealer.best(), sliced.annealer.best());
 }
 
+int beamsOffLine(const LayoutSnapshot& snapshot);
+
+TEST(Annealer, StiffensAlikeInSlicesOfAnySize) {
+  AnnealingOptions options = quick();
+  options.freedoms = [](const LayoutSnapshot& snapshot) { return 1 + beamsOffLine(snapshot); };
+  SearchRun whole(testing::squareSketch(8), options);
+  SearchRun sliced(testing::squareSketch(8), options);
+  whole.finish(1000000);
+  sliced.finish(7);
+  EXPECT_EQ(whole.annealer.iterations(), sliced.annealer.iterations());
+  expectSameBest(whole.annealer.best(), sliced.annealer.best());
+}
+
 TEST(Annealer, NeverMakesItsBestWorse) {
   SearchRun run(testing::houseSketch(), quick(3));
   run.annealer.advance(1);
