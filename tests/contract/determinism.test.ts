@@ -18,6 +18,15 @@ test.each(DRAWINGS)('%s: the reports agree but for the times', (name) => {
   expect(wasm).toEqual(native);
 });
 
+test('a table that is to be stiff is the same in both, and stiff', () => {
+  const settings = { seed: 1, preset: 'simple-rigid' };
+  const native = solveWithCommand('table', ['--seed', '1', '--preset', 'simple-rigid']);
+  const wasm = solveWithModule(module, exampleText('table'), settings);
+  expect(wasm.modelJson.trimEnd()).toBe(native.modelJson.trimEnd());
+  expect(native.report['freedoms']).toBe(0);
+  expect(native.report['buildable']).toBe(true);
+});
+
 test('the slices of the work do not change the model', () => {
   const sketch = exampleText('house');
   const fine = solveWithModule(module, sketch, { seed: 5 }, 7);
