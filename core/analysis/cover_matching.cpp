@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -17,8 +18,10 @@ namespace {
 //! One edge could be covered by one module of a beam.
 struct Candidate {
   int module = -1;
-  double offset = 0.0;  // |layer|
+  double offset = 0.0;  // |layer|, and more than any where the model says another one
 };
+
+constexpr double kNotSaid = 100.0;
 
 class Matching {
  public:
@@ -26,8 +29,22 @@ class Matching {
     numberEdges();
     for (std::size_t e = 0; e < edges.size(); ++e) {
       for (const Cover& cover : edges[e].covers) {
-        addCandidate(places_[e], moduleOf(edges[e], cover), std::abs(cover.layer));
+        addCandidate(places_[e],
+                     moduleOf(edges[e], cover),
+                     std::abs(cover.layer) + (cover.said ? 0.0 : kNotSaid));
       }
+    }
+    std::set<int> said;
+    for (const EdgeCover& edge : edges) {
+      for (const Cover& cover : edge.covers) {
+        if (cover.said) {
+          said.insert(cover.part);
+        }
+      }
+    }
+    elsewhere_.resize(modules_.size());
+    for (const auto& [key, module] : modules_) {
+      elsewhere_[static_cast<std::size_t>(module)] = said.count(std::get<0>(key)) > 0;
     }
     for (std::vector<Candidate>& list : candidates_) {
       std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
@@ -52,7 +69,10 @@ class Matching {
     for (const int place : order) {
       for (const Candidate& candidate : candidates_[static_cast<std::size_t>(place)]) {
         int& owner = owner_[static_cast<std::size_t>(candidate.module)];
-        owner = owner < 0 ? place : owner;
+        const bool said = candidate.offset < kNotSaid;
+        owner = owner < 0 && (said || !elsewhere_[static_cast<std::size_t>(candidate.module)])
+                    ? place
+                    : owner;
       }
     }
   }
@@ -126,6 +146,7 @@ class Matching {
   std::map<Key, int> modules_;
   std::vector<int> owner_;  // place, by module
   std::vector<bool> seen_;
+  std::vector<bool> elsewhere_;  // by module: the model says which edges its beam covers
 };
 
 }  // namespace

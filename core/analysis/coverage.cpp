@@ -24,6 +24,7 @@ struct WorldStretch {
   Vec3 to;
   Vec3 holeAxis;
   bool thin = false;
+  int layerSaid = 0;
 };
 
 std::vector<WorldStretch> stretchesOf(const Scene& scene) {
@@ -39,7 +40,8 @@ std::vector<WorldStretch> stretchesOf(const Scene& scene) {
                         pose.apply(stretch.from),
                         pose.apply(stretch.to),
                         pose.rotation * part->solid.front().axis,
-                        part->thickness < 1.0});
+                        part->thickness < 1.0,
+                        scene.model->parts[i].layer});
     }
   }
   return result;
@@ -82,8 +84,11 @@ void coverEdges(const WorldStretch& stretch, const sketch::Line& line, EdgeCover
   const int first = std::max(0, static_cast<int>(std::ceil(std::min(a, b) - kOffTolerance)));
   const int last =
       std::min(line.length, static_cast<int>(std::floor(std::max(a, b) + kOffTolerance)));
+  const Vec3& axis = stretch.holeAxis;
+  const double forward = axis.x + axis.y + axis.z < 0 ? -layer : layer;
+  const bool said = std::lround(forward) == stretch.layerSaid;
   for (int k = first; k < last; ++k) {
-    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis});
+    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis, said});
   }
 }
 

@@ -18,6 +18,7 @@ struct Cover {
   int part = -1;
   double layer = 0.0;      //!< offset from the line along the hole axis; quarters for thin beams
   lattice::Vec3 holeAxis;  //!< world, unit
+  bool said = false;       //!< the model says that the beam is on this layer of its line
 };
 
 //! \brief One unit edge of a sketch line and what covers it.
