@@ -146,7 +146,7 @@ async function runOnce(sketch, seed, options) {
   const report = parseReport(result.stdout);
   let failure = failureOf(result, report);
   if (failure === '' && options.check) {
-    failure = await repeatCheck(folder, options.timeoutMs);
+    failure = await repeatCheck(folder, report, options.timeoutMs);
   }
   return {
     ok: failure === '',
@@ -156,15 +156,23 @@ async function runOnce(sketch, seed, options) {
   };
 }
 
-async function repeatCheck(folder, timeoutMs) {
+/** What search and check both count: each in its own way, so that they must agree. */
+const COUNTED_TWICE = ['gaps', 'collisions', 'uncovered'];
+
+async function repeatCheck(folder, report, timeoutMs) {
   const model = modelFileIn(folder);
   if (model === null) {
     return 'no model file was written';
   }
-  const { code, signal } = await command(['check', model], timeoutMs);
-  return code === 0
+  const { code, signal, stdout } = await command(['check', model, '--json'], timeoutMs);
+  if (code !== 0) {
+    return `\`liftarm check\` ended with ${signal ?? code} on ${relative(TOP, model)}`;
+  }
+  const check = parseReport(stdout);
+  const differs = COUNTED_TWICE.find((key) => check?.[key] !== report[key]);
+  return differs === undefined
     ? ''
-    : `\`liftarm check\` ended with ${signal ?? code} on ${relative(TOP, model)}`;
+    : `${differs}: ${report[differs]} for the search, ${check?.[differs]} for the check of its model`;
 }
 
 /** Runs all tasks, at most `jobs` at the same time; results in the order of the tasks. */
