@@ -2,10 +2,12 @@ import { signal } from '@preact/signals';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { type Search, solveAfterEdits } from '../../../web/src/app/auto-solve.ts';
 import { PageController } from '../../../web/src/app/page-controller.ts';
+import type { PageState } from '../../../web/src/app/page-state.ts';
 import { Catalogue } from '../../../web/src/model/catalogue.ts';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
 import { PREFERENCE_DEFAULTS } from '../../../web/src/state/preferences.ts';
 import { SketchStore } from '../../../web/src/state/store.ts';
+import type { ShownModel } from '../../../web/src/ui/page.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 
 const sketchOf = (count: number): SketchDocument => ({
@@ -35,11 +37,19 @@ function begin(autoSolve = true) {
     },
     sketchUnderWay: () => underWay,
   };
-  const stop = solveAfterEdits(controller.state, search);
+  const shown = signal<ShownModel | null>(null);
+  const state: PageState = Object.assign(Object.create(controller.state), { shown });
+  const stop = solveAfterEdits(state, search);
   const edit = (count: number) => {
     store.commit('draw', sketchOf(count));
   };
-  return { did, edit, store, search, stop };
+  /** The search that was started has ended. */
+  const end = () => {
+    const report = { buildable: true } as ShownModel['report'];
+    shown.value = { sketch: underWay, report } as ShownModel;
+    underWay = null;
+  };
+  return { did, edit, store, search, end, stop };
 }
 
 describe('solving after edits', () => {
@@ -75,6 +85,15 @@ describe('solving after edits', () => {
     const { did, edit, search } = begin();
     edit(1);
     search.generate();
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate']);
+  });
+
+  it('does not start again what a person has started and what has ended before the pause', () => {
+    const { did, edit, search, end } = begin();
+    edit(1);
+    search.generate();
+    end();
     vi.advanceTimersByTime(1000);
     expect(did).toEqual(['generate']);
   });

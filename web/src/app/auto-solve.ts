@@ -30,9 +30,11 @@ export function solveAfterEdits(state: PageState, search: Search): () => void {
     const { autoSolve } = state.preferences.value;
     clearTimeout(timer);
     const wanted = searchText(sketch);
-    const shown = state.shown.peek();
-    const known = shown?.report && shown.sketch ? searchText(shown.sketch) === wanted : false;
-    if (wanted === asked || known) {
+    const known = () => {
+      const shown = state.shown.peek();
+      return shown?.report && shown.sketch ? searchText(shown.sketch) === wanted : false;
+    };
+    if (wanted === asked || known()) {
       return;
     }
     if (asked !== null && underWay() === asked) {
@@ -41,7 +43,8 @@ export function solveAfterEdits(state: PageState, search: Search): () => void {
     asked = null;
     if (autoSolve && sketch.lines.length > 0 && isSmall(sketch)) {
       timer = setTimeout(() => {
-        if (underWay() !== wanted) {
+        // A search that was asked for meanwhile may be under way, or over.
+        if (underWay() !== wanted && !known()) {
           asked = wanted;
           search.generate();
         }
