@@ -33,3 +33,15 @@ test('after an edit the model goes on from the one before, and says so', async (
   await expect(page.getByTestId('grown')).toHaveCount(0, { timeout: 60_000 });
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
 });
+
+test('an example that is opened is the model that its link gives', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.getByRole('button', { name: /^Truss bridge/ }).click();
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Truss bridge');
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  // Longer than the pause after which an edit is solved.
+  await page.waitForTimeout(1500);
+  await expect(page.getByRole('progressbar')).toHaveCount(0, { timeout: 60_000 });
+  await expect(page.getByTestId('grown')).toHaveCount(0);
+});

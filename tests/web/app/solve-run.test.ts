@@ -55,6 +55,28 @@ describe('solve run', () => {
     expect(run.shown.value).toMatchObject({ report: { beams: 1 }, check: { buildable: true } });
   });
 
+  it('is under way until its model is checked', async () => {
+    const { client, run } = begin();
+    let say: (reply: typeof client.checkReply) => void = () => undefined;
+    client.check = () =>
+      new Promise((answer) => {
+        say = answer;
+      });
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.settle({
+      outcome: 'solved',
+      modelJson: MODEL,
+      reportJson: '{"buildable":true}',
+      layoutJson: '{"runs":[]}',
+      seconds: SECONDS,
+    });
+    await new Promise((later) => setTimeout(later, 0));
+    expect(run.sketchUnderWay).toBe(SKETCH);
+    say(client.checkReply);
+    await done;
+    expect(run.sketchUnderWay).toBeNull();
+  });
+
   it('goes on from the last layout when it is asked to, and from nothing after another sketch', async () => {
     const { client, run } = begin();
     const end = async (done: Promise<void>, layoutJson: string) => {

@@ -64,9 +64,9 @@ export class SolveRun {
     }
   }
 
-  /** The sketch of the search under way, or null. */
+  /** The sketch of the search under way, or of its model that is being checked; or null. */
   get sketchUnderWay(): SketchDocument | null {
-    return this.#running ? this.#sketch : null;
+    return this.#state.peek().phase === 'solving' ? this.#sketch : null;
   }
 
   cancel(): void {
