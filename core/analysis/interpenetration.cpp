@@ -189,13 +189,13 @@ void findForbiddenPlaces(const Scene& scene, ItemResult& result) {
   for (std::size_t i = 0; i < scene.parts.size(); ++i) {
     const int index = static_cast<int>(i);
     const Vec3 at = scene.model->parts[i].pose.position;
-    for (std::size_t k = 0; k < scene.sketch->keepOut.size(); ++k) {
-      if (enters(scene.parts[i], cellsOf(scene.sketch->keepOut[k]))) {
-        result.problems.push_back(
-            {"keepOut",
-             nameOf(scene, index) + " enters keepOut[" + std::to_string(k) + "]",
-             at,
-             {index}});
+    for (const sketch::KeepOut& box : scene.sketch->keepOut) {
+      if (enters(scene.parts[i], cellsOf(box))) {
+        result.problems.push_back({"keepOut",
+                                   nameOf(scene, index) + " enters the keep-out box from " +
+                                       pointText(box.min) + " to " + pointText(box.max),
+                                   at,
+                                   {index}});
       }
     }
     const bool below =

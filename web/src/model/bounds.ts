@@ -60,6 +60,14 @@ export function modelBounds(model: Model, catalogue: Catalogue): Bounds | null {
   return boundsOfPoints(modelCorners(model, catalogue));
 }
 
+/** Line ends of a sketch and corners of its keep-out boxes: what a picture of it is fitted to. */
+export function sketchPoints(sketch: SketchDocument | null): readonly Vec3[] {
+  return [
+    ...(sketch?.lines ?? []).flatMap((line) => [line.from, line.to]),
+    ...(sketch?.keepOut ?? []).flatMap((box) => [box.min, box.max]),
+  ];
+}
+
 /** The box around all line ends of a sketch, or null when it has no line. */
 export function sketchBounds(sketch: SketchDocument): Bounds | null {
   return boundsOfPoints(sketch.lines.flatMap((line) => [line.from, line.to]));

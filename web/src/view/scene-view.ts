@@ -1,6 +1,6 @@
 import { Plane, Vector2, Vector3 } from 'three';
 import { unitVector, type Vec3 } from '../geometry/vec.ts';
-import { corners, sketchBounds, unionBounds } from '../model/bounds.ts';
+import { corners, sketchBounds, sketchPoints, unionBounds } from '../model/bounds.ts';
 import type { Model } from '../model/model.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { BrickLibrary } from './bricks/brick-library.ts';
@@ -382,9 +382,9 @@ export class SceneView {
   }
 
   #shownPoints(): Vec3[] {
-    const lines = this.#mode === 'model' ? [] : (this.#sketch.sketch?.lines ?? []);
+    const drawn = this.#mode === 'model' ? [] : sketchPoints(this.#sketch.sketch);
     const parts = this.#mode === 'sketch' ? [] : this.#model.corners();
-    return [...lines.flatMap((line) => [line.from, line.to]), ...parts];
+    return [...drawn, ...parts];
   }
 
   readonly #onContext = (state: 'lost' | 'restored'): void => {

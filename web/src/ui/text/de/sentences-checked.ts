@@ -73,7 +73,10 @@ const PROBLEMS: Sentences = [
     '{a} and {b} take the same space near ({at})',
     '{a} und {b} nehmen denselben Raum ein, bei ({at})',
   ],
-  ['{part} enters keepOut[{n}]', '{part} ragt in keepOut[{n}]'],
+  [
+    '{part} enters the keep-out box from {at} to {end}',
+    '{part} ragt in den Sperrraum von {at} bis {end}',
+  ],
   ['{part} lies below the ground', '{part} liegt unter dem Boden'],
   ["the model's sketch cannot be read: {why}", 'die Skizze des Modells ist nicht lesbar: {why}'],
   [
