@@ -1,4 +1,12 @@
-import { expect, generate, openEmpty, runCommand, savedSketch, test } from './helpers/test.ts';
+import {
+  expect,
+  generate,
+  openEmpty,
+  openPage,
+  runCommand,
+  savedSketch,
+  test,
+} from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -47,6 +55,19 @@ test('every command is found in the palette and run from there', async ({ page }
   await openEmpty(page);
   await runCommand(page, 'keys help');
   await expect(page.getByRole('dialog', { name: 'Keys and help' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('dialog')).toBeHidden();
+});
+
+test('a sheet is there for the key that comes right after it was asked for', async ({ page }) => {
+  await openPage(page);
+  const open = await page.evaluate(async () => {
+    document.querySelector<HTMLElement>('button[aria-label="Keys and help"]')?.click();
+    // Drawn, but not yet shown: before the next frame.
+    await new Promise((later) => setTimeout(later, 0));
+    return document.querySelector('dialog')?.open;
+  });
+  expect(open).toBe(true);
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toBeHidden();
 });

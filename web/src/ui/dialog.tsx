@@ -1,5 +1,5 @@
 import type { ComponentChildren } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
@@ -12,7 +12,8 @@ export function Dialog(props: {
 }) {
   const { dialog } = usePage();
   const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
+  // At once: a key that comes right after, as Escape, is the sheet's already.
+  useLayoutEffect(() => {
     element.current?.showModal();
   }, []);
   const close = () => {
