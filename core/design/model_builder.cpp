@@ -101,30 +101,18 @@ class Builder {
     const int corner = layout::cornerIndex(graph_, runId, arm.mate);
     const Vec3 centre =
         layout::holePosition(graph_, run, layout_.covers[at(runId)].axis, corner, arm.layer);
-    const int mateCorner = layout::cornerIndex(graph_, arm.mate, runId);
-    // Which arm is which, and which way each points, is what gives back these two beams.
-    for (const int mine : {0, 1}) {
-      for (const int way : {1, -1}) {
-        for (const int mateWay : {1, -1}) {
-          const Vec3 along = static_cast<double>(way) * run.direction;
-          const Vec3 mateAlong = static_cast<double>(mateWay) * graph_.runs[at(arm.mate)].direction;
-          const Vec3 first = mine == 0 ? along : mateAlong;
-          const Vec3 second = mine == 0 ? mateAlong : along;
-          if (layout::bendsAlong(bent, first, second) &&
-              bent.arms[at(mine)].laidAt(corner, way, arm.layer).sameBody(arm) &&
-              bent.arms[at(1 - mine)].laidAt(mateCorner, mateWay, arm.layer).sameBody(*mate)) {
-            parts_.push_back({bent.part,
-                              catalogued(bent.part).color,
-                              layout::poseOf(bent, centre, first, second),
-                              components_.ofRun[at(runId)],
-                              arm.layer,
-                              run.piece});
-            return;
-          }
-        }
-      }
-    }
-    LIFTARM_CHECK(false, "the arms are those of the bent beam");
+    std::vector<layout::Bend> bends;
+    layout::addBends(graph_, arm.form, runId, arm.mate, arm.layer, &bends);
+    const auto bend = std::find_if(bends.begin(), bends.end(), [&](const layout::Bend& b) {
+      return b.arm == arm && b.mateArm == *mate;
+    });
+    LIFTARM_CHECK(bend != bends.end(), "the arms are those of the bent beam");
+    parts_.push_back({bent.part,
+                      catalogued(bent.part).color,
+                      layout::poseOf(bent, centre, bend->first, bend->second),
+                      components_.ofRun[at(runId)],
+                      arm.layer,
+                      run.piece});
   }
 
   void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {

@@ -107,7 +107,7 @@ void addBends(const guide::GuidingGraph& graph,
               int run,
               int mate,
               int layer,
-              std::vector<std::pair<Beam, Beam>>* bends) {
+              std::vector<Bend>* bends) {
   const BentBeam& bent = bentBeams()[static_cast<std::size_t>(form)];
   const guide::GuideRun& mine = graph.runs[static_cast<std::size_t>(run)];
   const guide::GuideRun& theirs = graph.runs[static_cast<std::size_t>(mate)];
@@ -116,9 +116,9 @@ void addBends(const guide::GuidingGraph& graph,
   for (const std::size_t first : {0U, 1U}) {
     for (const int way : {1, -1}) {
       for (const int mateWay : {1, -1}) {
-        if (!bendsAlong(bent,
-                        static_cast<double>(way) * mine.direction,
-                        static_cast<double>(mateWay) * theirs.direction)) {
+        const Vec3 along = static_cast<double>(way) * mine.direction;
+        const Vec3 mateAlong = static_cast<double>(mateWay) * theirs.direction;
+        if (!bendsAlong(bent, along, mateAlong)) {
           continue;
         }
         Beam arm = bent.arms[first].laidAt(corner, way, layer);
@@ -126,10 +126,12 @@ void addBends(const guide::GuidingGraph& graph,
         arm.mate = mate;
         mateArm.mate = run;
         arm.form = mateArm.form = form;
-        const std::pair<Beam, Beam> arms{arm, mateArm};
-        if (fits(mine, arm) && fits(theirs, mateArm) &&
-            std::find(bends->begin(), bends->end(), arms) == bends->end()) {
-          bends->push_back(arms);
+        const bool known = std::any_of(bends->begin(), bends->end(), [&](const Bend& bend) {
+          return bend.arm == arm && bend.mateArm == mateArm;
+        });
+        if (fits(mine, arm) && fits(theirs, mateArm) && !known) {
+          bends->push_back(
+              {arm, mateArm, first == 0 ? along : mateAlong, first == 0 ? mateAlong : along});
         }
       }
     }

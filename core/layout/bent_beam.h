@@ -49,15 +49,23 @@ lattice::Pose poseOf(const BentBeam& bent,
 //! \brief The arms of bent beams in a cover.
 std::vector<Beam> armsOf(const Cover& cover);
 
-//! \brief Adds every way in which bentBeams()[form] can lie on two runs that meet, as its arms on
-//! the one and the other. Arms may stick out past a run's ends by one module.
+//! \brief One way in which a bent beam lies on two runs.
+struct Bend {
+  Beam arm;             //!< on the one run
+  Beam mateArm;         //!< on the other
+  lattice::Vec3 first;  //!< world directions of the bent beam's arms, for poseOf
+  lattice::Vec3 second;
+};
+
+//! \brief Adds every way in which bentBeams()[form] can lie on two runs that meet. Arms may stick
+//! out past a run's ends by one module.
 //! \pre The runs' hole axes are the same.
 void addBends(const guide::GuidingGraph& graph,
               int form,
               int run,
               int mate,
               int layer,
-              std::vector<std::pair<Beam, Beam>>* bends);
+              std::vector<Bend>* bends);
 
 //! \brief The bent beams among some parts: full thickness, all holes parallel, two arms that share
 //! a round hole. Others (frames, 32009, whose arms do not meet in a hole) are left out.

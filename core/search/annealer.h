@@ -93,6 +93,8 @@ class Annealer final : public LayoutSearch {
   [[nodiscard]] const layout::Layout& current() const { return layout_; }
 
  private:
+  static constexpr double kPickAxis = 0.12;  // share of moves that turn the run's hole axis
+
   void start();
   void beginAfresh();
   bool layEarlier();
@@ -108,7 +110,7 @@ class Annealer final : public LayoutSearch {
   void place(int run, const layout::Cover& cover);
   bool layBound(int run, lattice::Axis axis);
   void loosenSymmetry();
-  bool recover(int run, double noise, double turning);
+  bool recover(int run, double noise, double turning = kPickAxis);
   bool recoverMany(int run, double noise);
   bool mirror(int run, double noise);
   bool recoverCrossing(int run, double noise);
@@ -174,8 +176,8 @@ class Annealer final : public LayoutSearch {
   double violationWeight_ = 0.0;
   std::vector<int> fewestBeams_;  // by run: a lower bound
   std::vector<int> sites_;
-  std::vector<std::pair<layout::Beam, layout::Beam>> bends_;  // that fit, of one move
-  int site_ = -1;  // violated junction that the last pick came from
+  std::vector<layout::Bend> bends_;  // that fit, of one move
+  int site_ = -1;                    // violated junction that the last pick came from
 };
 
 }  // namespace liftarm::search

@@ -10,7 +10,6 @@ namespace {
 constexpr double kPickCheapBend = 0.75;  // of these: those that leave the fewest beams beside it
 constexpr double kSticksOut = 0.2;       // beams
 constexpr std::uint32_t kMostFollowers = 7;
-constexpr double kTurn = 0.12;  // share of lines that follow whose hole axis turns
 constexpr double kNone = 1e300;
 
 std::size_t at(int i) {
@@ -112,22 +111,23 @@ bool Annealer::bend(int run, double noise) {
   const bool cheapest = rng_.unit() < kPickCheapBend;
   double least = kNone;
   std::size_t kept = 0;
-  for (const auto& arms : std::vector(bends_)) {
+  for (std::size_t i = 0; i < bends_.size(); ++i) {
+    const layout::Bend bend = bends_[i];
     const double rest =
-        cheapest ? beamsBeside(arms.first, edges) + beamsBeside(arms.second, mateEdges) : 0.0;
-    if (rest > least || meetsAny(arms.first, fixed) || meetsAny(arms.second, mateFixed)) {
+        cheapest ? beamsBeside(bend.arm, edges) + beamsBeside(bend.mateArm, mateEdges) : 0.0;
+    if (rest > least || meetsAny(bend.arm, fixed) || meetsAny(bend.mateArm, mateFixed)) {
       continue;
     }
     kept = rest < least ? 0 : kept;
     least = rest;
-    bends_[kept++] = arms;
+    bends_[kept++] = bend;
   }
   if (kept == 0) {
     return false;
   }
-  const auto [arm, mateArm] = bends_[rng_.below(static_cast<std::uint32_t>(kept))];
-  fixed.push_back(arm);
-  mateFixed.push_back(mateArm);
+  const layout::Bend bend = bends_[rng_.below(static_cast<std::uint32_t>(kept))];
+  fixed.push_back(bend.arm);
+  mateFixed.push_back(bend.mateArm);
   layout_.setCover(run, {axis, {}});
   layout_.setCover(mate, {axis, {}});
   if (!coverRun(run, axis, noise, fixed) || !coverRun(mate, axis, noise, mateFixed)) {
@@ -138,7 +138,7 @@ bool Annealer::bend(int run, double noise) {
   for (std::uint32_t i = 0; i < followers; ++i) {
     const int other = pickPartner(i % 2 == 0 ? run : mate);
     if (other >= 0 && other != run && other != mate) {
-      recover(other, noise, kTurn);
+      recover(other, noise);
     }
   }
   return true;

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kPickViolation = 0.75;  // share of moves at a violated place while there is one
 constexpr double kPickNear = 0.15;       // of these: at a run that passes near, not one that is met
-constexpr double kPickAxis = 0.12;       // share of moves that turn the run's hole axis
 constexpr double kTurnMany = 0.3;        // the same where several runs are cleared
 constexpr double kPickTwo = 0.35;        // share of moves that cover two runs anew
 constexpr double kPickMany = 0.4;  // share of moves that clear several runs first, while violated
@@ -264,9 +263,9 @@ void Annealer::move() {
   } else if (corner) {
     changed = bend(run, noise);
   } else {
-    changed = recover(run, noise, kPickAxis);
+    changed = recover(run, noise);
     const int partner = parts.pairs && !calm && rng_.unit() < kPickTwo ? pickPartner(run) : -1;
-    changed = (partner >= 0 && recover(partner, noise, kPickAxis)) || changed;
+    changed = (partner >= 0 && recover(partner, noise)) || changed;
   }
   if (!changed) {
     layout_.revert();

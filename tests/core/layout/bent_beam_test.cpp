@@ -40,10 +40,11 @@ TEST(BentBeams, HaveARoundHoleAtEachNodeOfTheirArmsAndAnAxleHoleAtEachTail) {
         continue;
       }
       for (const int form : allBentBeams()) {
-        std::vector<std::pair<Beam, Beam>> bends;
+        std::vector<Bend> bends;
         addBends(graph, form, run, mate, 0, &bends);
         seen[static_cast<std::size_t>(form)] += static_cast<int>(bends.size());
-        for (const auto& [arm, mateArm] : bends) {
+        for (const auto& [arm, mateArm, first, second] : bends) {
+          EXPECT_TRUE(bendsAlong(bentBeams()[static_cast<std::size_t>(form)], first, second));
           EXPECT_GE(arm.solidStart(), -1);
           EXPECT_LE(arm.solidLast(), mine.edgeCount() + 1);
           EXPECT_EQ(arm.mate, mate);
