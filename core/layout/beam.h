@@ -28,14 +28,9 @@ struct Beam {
   //! \brief Last node that the beam's body reaches, axle holes included.
   [[nodiscard]] int solidLast() const { return tail > 0 ? last() + 1 : last(); }
 
-  //! \brief Whether both are in the same place, whatever they are arms of.
-  [[nodiscard]] bool sameBody(const Beam& other) const {
-    return start == other.start && holes == other.holes && layer == other.layer &&
-           tail == other.tail;
-  }
-
   friend bool operator==(const Beam& a, const Beam& b) {
-    return a.sameBody(b) && a.mate == b.mate && a.form == b.form;
+    return a.start == b.start && a.holes == b.holes && a.layer == b.layer && a.mate == b.mate &&
+           a.form == b.form && a.tail == b.tail;
   }
 };
 
