@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 
+#include "layout/bent_beam.h"
+
 namespace liftarm::search {
 
 namespace {
@@ -87,6 +89,18 @@ bool suits(const guide::GuideRun& run,
   return same || leavesNoEdge(run, cover);
 }
 
+//! Whether two beams are the arms of a bent beam that can lie on these two runs.
+bool makeABend(
+    const guide::GuidingGraph& graph, int run, layout::Beam arm, int mate, layout::Beam mateArm) {
+  arm.mate = mate;
+  mateArm.mate = run;
+  std::vector<layout::Bend> bends;
+  layout::addBends(graph, arm.form, run, mate, arm.layer, &bends);
+  return std::any_of(bends.begin(), bends.end(), [&](const layout::Bend& bend) {
+    return bend.arm == arm && bend.mateArm == mateArm;
+  });
+}
+
 //! Whether every arm on an earlier run has its other arm on a run that is kept and still meets it.
 bool hasItsMates(const guide::GuidingGraph& graph,
                  int self,
@@ -100,9 +114,11 @@ bool hasItsMates(const guide::GuidingGraph& graph,
         layout::commonJunction(graph, places[at(self)], places[at(beam.mate)]) < 0) {
       return false;
     }
-    const std::vector<layout::Beam>& others = earlier[at(beam.mate)].cover.beams;
-    if (std::none_of(others.begin(), others.end(), [&](const layout::Beam& other) {
-          return other.mate == self && other.form == beam.form;
+    const layout::Cover& theirs = earlier[at(beam.mate)].cover;
+    if (theirs.axis != earlier[at(self)].cover.axis ||
+        std::none_of(theirs.beams.begin(), theirs.beams.end(), [&](const layout::Beam& other) {
+          return other.mate == self &&
+                 makeABend(graph, places[at(self)], beam, places[at(beam.mate)], other);
         })) {
       return false;
     }

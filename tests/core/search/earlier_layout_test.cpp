@@ -131,15 +131,18 @@ TEST(EarlierLayout, KeepsAnLBeamOnlyWithBothItsArms) {
   const LayoutBench bench(testing::cornerSketch(5));
   const guide::GuidingGraph& graph = bench.problem.graph;
   ASSERT_EQ(graph.runs.size(), 3U);
-  const int form = layout::allBentBeams().front();
-  std::vector<layout::Cover> covers;
-  for (int r = 0; r < 3; ++r) {
-    const auto& axes = graph.runs[static_cast<std::size_t>(r)].axes;
-    covers.push_back(
-        {axes.front(), {{0, 3, 0, r < 2 ? 1 - r : -1, r < 2 ? form : -1, 0}, {1, 5, 1}}});
-  }
+  // Along x and y, so that both may have their holes along z.
+  std::vector<layout::Bend> bends;
+  layout::addBends(graph, layout::bentBeamIndex("32526"), 0, 1, 0, &bends);
+  ASSERT_FALSE(bends.empty());
+  std::vector<layout::Cover> covers{{lattice::Axis::kZ, {bends.front().arm, {1, 5, 1}}},
+                                    {lattice::Axis::kZ, {bends.front().mateArm, {1, 5, 1}}},
+                                    {graph.runs[2].axes.front(), {{0, 3, 0}, {1, 5, 1}}}};
   EarlierLayout earlier = earlierLayout(graph, covers);
   EXPECT_EQ(keepRuns(graph, earlier, allowed()).kept, 3);
+  EarlierLayout wrong = earlier;
+  wrong[0].cover.beams.front().holes -= 1;  // no such bent beam
+  EXPECT_EQ(keepRuns(graph, wrong, allowed()).kept, 1);
   earlier[1].cover.beams.back().holes = 8;
   EXPECT_EQ(keepRuns(graph, earlier, allowed()).kept, 1);
 }
