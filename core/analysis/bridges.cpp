@@ -179,11 +179,22 @@ ItemResult checkCoverage(const Scene& scene, const std::vector<EdgeCover>& cover
 
 int countGaps(const Scene& scene, const std::vector<EdgeCover>& coverage) {
   const NodeIndex nodes(coverage);
+  std::set<int> said;  // beams of which the model says where they belong
+  for (const EdgeCover& edge : coverage) {
+    for (const Cover& cover : edge.covers) {
+      if (cover.said) {
+        said.insert(cover.part);
+      }
+    }
+  }
   int gaps = 0;
   for (int node = 0; node < static_cast<int>(nodes.points().size()); ++node) {
     std::map<lattice::Cell, std::set<int>> stacks;  // by hole axis, rounded and signed
     for (const int e : nodes.edgesAt(node)) {
       for (const Cover& cover : coverage[static_cast<std::size_t>(e)].covers) {
+        if (!cover.said && said.count(cover.part) > 0) {
+          continue;  // another line's beam, beside an edge that is bridged
+        }
         Vec3 axis = cover.holeAxis;
         const double sign = axis.x + 2 * axis.y + 4 * axis.z < 0 ? -1.0 : 1.0;
         axis = (sign * 1000.0) * axis;

@@ -52,7 +52,10 @@ void countParts(const Scene& scene, CheckCounts& counts) {
   for (const ScenePart& part : scene.parts) {
     ++counts.bricks;
     if (part.part != nullptr) {
-      counts.beams += part.part->partClass == parts::PartClass::kBeam ? 1 : 0;
+      // One hole alone covers no edge: a spacer in a stack.
+      const bool beam =
+          part.part->partClass == parts::PartClass::kBeam && part.part->features.size() > 1;
+      counts.beams += beam ? 1 : 0;
       counts.mass += part.part->mass;
     }
   }

@@ -1,5 +1,7 @@
 #include "design/design_session.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -11,6 +13,7 @@
 #include "design/report.h"
 #include "design/settings.h"
 #include "guide/beam_bound.h"
+#include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
 
@@ -22,10 +25,20 @@ using nlohmann::json;
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
   mechanisms::CompositionOptions options;
-  options.partIds = settings.connectors;
+  std::copy_if(settings.connectors.begin(),
+               settings.connectors.end(),
+               std::back_inserter(options.partIds),
+               [](const std::string& id) { return id != layout::kSpacerPart; });
   options.maxParts = settings.mechanismParts;
   return mechanisms::MechanismTable(
       mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
+}
+
+//! The paper's method knows no spacers.
+bool fillsGaps(const Settings& settings) {
+  return settings.method != kPaperMethod &&
+         std::find(settings.connectors.begin(), settings.connectors.end(), layout::kSpacerPart) !=
+             settings.connectors.end();
 }
 
 //! The search that the settings name.
@@ -56,7 +69,8 @@ class Session final : public DesignSession {
         settings_(std::move(settings)),
         table_(makeTable(settings_)),
         solver_(table_),
-        problem_(layout::makeLayoutProblem(guide::buildGuidingGraph(sketch_))),
+        problem_(
+            layout::makeLayoutProblem(guide::buildGuidingGraph(sketch_), fillsGaps(settings_))),
         search_(makeSearch(problem_, solver_, settings_, sketch_)) {}
 
   bool advance(std::uint32_t iterations) override { return search_->advance(iterations); }

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "layout/bent_beam.h"
+#include "layout/stack.h"
 
 namespace liftarm::design {
 
@@ -173,6 +174,20 @@ class Builder {
                    piece,
                    junction.joint >= 0 && turnsAtJoint(junction, shape, placed.at));
     }
+    for (const layout::Spacer& spacer : layout_.junctions[at(junctionId)].spacers) {
+      addSpacer(origin, spacer, piece);
+    }
+  }
+
+  void addSpacer(Vec3 origin, const layout::Spacer& spacer, int piece) {
+    const parts::Part& part = catalogued(layout::kSpacerPart);
+    const Vec3 z = lattice::unitVector(spacer.axis);
+    const Vec3 x =
+        lattice::unitVector(lattice::axisFromIndex((lattice::index(spacer.axis) + 1) % 3));
+    const Mat3 rotation = lattice::fromColumns(x, lattice::cross(z, x), z);
+    const Vec3 centre = origin + static_cast<double>(spacer.layer) * z;
+    parts_.push_back(
+        {part.id, part.color, {centre - rotation * middleOfHoles(part), rotation}, -1, 0, piece});
   }
 
   //! A single pin on the joint's axis through the joint itself.

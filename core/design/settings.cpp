@@ -7,6 +7,7 @@
 
 #include "design/earlier_json.h"
 #include "design/owned_parts.h"
+#include "layout/stack.h"
 #include "parts/catalogue.h"
 
 namespace liftarm::design {
@@ -159,8 +160,8 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
       if (part == nullptr) {
         return invalid("set.connectors: no part " + id + " in the catalogue");
       }
-      if (part->partClass == parts::PartClass::kBeam ||
-          part->partClass == parts::PartClass::kGear) {
+      if (part->partClass == parts::PartClass::kGear ||
+          (part->partClass == parts::PartClass::kBeam && id != layout::kSpacerPart)) {
         return invalid("set.connectors: " + id + " is no pin, axle or connector");
       }
     }

@@ -24,7 +24,8 @@ struct Settings {
   search::PaperOptions paper;  //!< of method "paper"; what both have is taken from `annealing`
   // 15100 is left out: with it the cheapest corner takes the room that the next one needs (picker
   // found a layout for 1 of 5 seeds instead of 5).
-  std::vector<std::string> connectors{"2780", "6558", "87082", "48989", "55615", "15462", "3713"};
+  std::vector<std::string> connectors{
+      "2780", "6558", "87082", "48989", "55615", "15462", "3713", "18654"};
   int mechanismParts = 2;  //!< most connecting parts in one mechanism
   //! How many of a part are owned, by LDraw number; others are not limited. What the search can do
   //! about it is in annealing.supply, lengths and connectors already.

@@ -20,8 +20,9 @@ std::size_t at(int id) {
 
 }  // namespace
 
-LayoutProblem makeLayoutProblem(guide::GuidingGraph graph) {
+LayoutProblem makeLayoutProblem(guide::GuidingGraph graph, bool spacers) {
   LayoutProblem problem;
+  problem.spacers = spacers;
   problem.views = buildLocalViews(graph);
   problem.seenBy.resize(graph.runs.size());
   for (std::size_t j = 0; j < problem.views.size(); ++j) {
@@ -83,7 +84,10 @@ void Layout::addJunction(const JunctionState& state, int junction, int sign) {
   tallies_.gaps += sign * state.gaps;
   tallies_.overfull += sign * state.overfull;
   tallies_.failedConnections += sign * state.connection.failed;
-  tallies_.connectionCost += static_cast<double>(sign) * state.connection.cost;
+  tallies_.connectionCost +=
+      static_cast<double>(sign) *
+      (state.connection.cost + kSpacerCost * static_cast<double>(state.spacers.size()));
+  tallies_.connectors += sign * static_cast<int>(state.spacers.size());
   for (const PlacedMechanism& placed : state.connection.mechanisms) {
     const mechanisms::OrientedMechanism& m = table().oriented(placed.oriented);
     tallies_.connectors += sign * static_cast<int>(m.shape.parts.size());
@@ -282,6 +286,9 @@ int Layout::stackViolationsAt(int junction) const {
 }
 
 void Layout::countStack(int junction, JunctionState* state) const {
+  state->gaps = 0;
+  state->overfull = 0;
+  state->spacers.clear();
   std::array<unsigned, 3> layers{};  // in use, by hole axis
   for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
     const Cover& cover = runs_[at(incidence.run)].cover;
@@ -292,10 +299,23 @@ void Layout::countStack(int junction, JunctionState* state) const {
       }
     }
   }
-  for (const unsigned stack : layers) {
-    const StackFaults faults = stackFaults(stack);
-    state->gaps += faults.gaps;
+  for (std::size_t axis = 0; axis < layers.size(); ++axis) {
+    const StackFaults faults = stackFaults(layers[axis]);
     state->overfull += faults.overfull;
+    if (faults.fillable == 0 || !problem_->spacers) {
+      state->gaps += faults.gaps;
+      continue;
+    }
+    int layer = -guide::kMaxLayer;
+    unsigned rest = layers[axis];
+    for (; (rest & 1U) == 0U; rest >>= 1U) {
+      ++layer;
+    }
+    for (; rest != 0U; rest >>= 1U, ++layer) {
+      if ((rest & 1U) == 0U) {
+        state->spacers.push_back({lattice::axisFromIndex(static_cast<int>(axis)), layer});
+      }
+    }
   }
 }
 

@@ -24,7 +24,7 @@ struct Tallies {
   int gaps = 0;               //!< empty layers within stacks (DESIGN 7)
   int overfull = 0;           //!< beams beyond three in one stack
   int failedConnections = 0;  //!< clusters left at junctions, minus one each (DESIGN 7)
-  int connectors = 0;         //!< connecting parts
+  int connectors = 0;         //!< connecting parts, spacers among them
   int mechanisms = 0;
   int mechanismHeads = 0;
   int mechanismCells = 0;
@@ -36,10 +36,17 @@ struct Tallies {
   }
 };
 
+//! \brief A one-hole beam in an empty layer of a junction's stack.
+struct Spacer {
+  lattice::Axis axis = lattice::Axis::kX;
+  int layer = 0;
+};
+
 //! \brief What one junction adds to the tallies.
 struct JunctionState {
   Connection connection;
-  int gaps = 0;
+  std::vector<Spacer> spacers;
+  int gaps = 0;  //!< that no spacer fills
   int overfull = 0;
   bool leans = false;  //!< some of its beams are joined by a neighbouring junction's mechanism
   std::uint32_t variant = 0;  //!< which of its connections is asked for: LocalProblem::variant
@@ -57,12 +64,13 @@ struct RunState {
 //! \brief The fixed part of a layout problem, shared by all layouts of one sketch.
 struct LayoutProblem {
   guide::GuidingGraph graph;
+  bool spacers = true;           //!< whether gaps in stacks may be filled
   std::vector<LocalView> views;  //!< by junction
   std::vector<std::vector<std::pair<int, int>>>
       seenBy;  //!< by run: (junction, index of its RunView)
 };
 
-LayoutProblem makeLayoutProblem(guide::GuidingGraph graph);
+LayoutProblem makeLayoutProblem(guide::GuidingGraph graph, bool spacers = true);
 
 //! \brief The placements in use with their layers, and the mechanisms that join them.
 //! \details Edits are grouped: change covers, settle(), look at tallies(), then keep() or revert().
@@ -139,11 +147,13 @@ class Layout {
   bool fillProblem(int junction);
   void fillRun(const RunView& view);
   bool fillOthers(int junction);
+  void fillSpacersOf(const JunctionView& other);
   void findStale();
   void spreadStale();
   double clearStale();
   bool givesUp(double open, const std::function<bool()>& hopeless);
   void countStack(int junction, JunctionState* state) const;
+  void fillSpacers(JunctionState* state);
   [[nodiscard]] bool plainStack(int junction, Connection* connection) const;
   [[nodiscard]] std::uint64_t signature(const RunView& view, const Cover& cover) const;
   void saveTallies();

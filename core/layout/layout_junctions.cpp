@@ -197,6 +197,7 @@ bool Layout::fillOthers(int junction) {
   const LocalView& view = problem_->views[at(junction)];
   bool leans = false;
   for (const JunctionView& other : view.junctions) {
+    fillSpacersOf(other);
     for (const PlacedMechanism& placed : junctions_[at(other.junction)].connection.mechanisms) {
       leans = enterMechanism(&local_, table().oriented(placed.oriented), placed, other) || leans;
     }
@@ -207,6 +208,38 @@ bool Layout::fillOthers(int junction) {
     }
   }
   return leans;
+}
+
+//! A neighbouring junction's spacers; beams in their cells are that junction's trouble.
+void Layout::fillSpacersOf(const JunctionView& other) {
+  for (const Spacer& spacer : junctions_[at(other.junction)].spacers) {
+    const Cell own = scaled(spacer.layer, unitCell(spacer.axis));
+    if (!other.aligned) {
+      blockAround(&local_, lattice::toVec3(own) + other.offset);
+      continue;
+    }
+    const Cell cell = own + other.shift;
+    if (inBox(cell) && local_.holeAt(boxIndex(cell)) == nullptr) {
+      local_.block(boxIndex(cell));
+    }
+  }
+}
+
+//! Spacers whose places are free are joined as beams are; the gaps of others stay.
+void Layout::fillSpacers(JunctionState* state) {
+  std::vector<Spacer> placed;
+  for (const Spacer& spacer : state->spacers) {
+    const Cell cell = scaled(spacer.layer, unitCell(spacer.axis));
+    if (local_.terminals == LocalProblem::kMaxTerminals ||
+        local_.holeAt(boxIndex(cell)) != nullptr || local_.blocked(boxIndex(cell))) {
+      ++state->gaps;
+      continue;
+    }
+    local_.addHole({cell, spacer.axis, local_.terminals, false});
+    ++local_.terminals;
+    placed.push_back(spacer);
+  }
+  state->spacers = placed;
 }
 
 bool Layout::fillProblem(int junction) {
@@ -317,10 +350,11 @@ void Layout::solveJunction(int junction) {
   countStack(junction, &state);
   localTerminals_ = terminalsAt(junction);
   if (localTerminals_.size() < 2 ||
-      (state.variant == 0 && plainStack(junction, &state.connection))) {
+      (state.variant == 0 && state.spacers.empty() && plainStack(junction, &state.connection))) {
     return;
   }
   state.leans = fillProblem(junction);
+  fillSpacers(&state);
   local_.variant = state.variant;
   state.connection = solver_->solve(local_);
 }

@@ -164,13 +164,14 @@ void Layout::giveWay(int junction) {
   for (const int j : order) {
     saveJunction(j);
     states.push_back(junctions_[at(j)]);
-    before += states.back().connection.failed;
+    before += states.back().violations();
     unsolve(&junctions_[at(j)]);
+    countStack(j, &junctions_[at(j)]);
   }
   int after = 0;
   for (const int j : order) {
     solveJunction(j);
-    after += junctions_[at(j)].connection.failed;
+    after += junctions_[at(j)].violations();
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (after < before) {

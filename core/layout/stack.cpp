@@ -23,7 +23,8 @@ constexpr StackFaults faultsOf(unsigned layers) {
   if (count == 0) {
     return {};
   }
-  return {high - low + 1 - count, std::max(0, count - kMostInStack)};
+  const int gaps = high - low + 1 - count;
+  return {gaps, std::max(0, count - kMostInStack), count + gaps <= kMostInStack ? gaps : 0};
 }
 
 using FaultTable = std::array<StackFaults, 1U << static_cast<unsigned>(kLayerCount)>;

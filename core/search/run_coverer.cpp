@@ -25,11 +25,6 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
-int stackViolations(unsigned layers) {
-  const layout::StackFaults faults = layout::stackFaults(layers);
-  return faults.gaps + faults.overfull;
-}
-
 unsigned bit(int layer) {
   return 1U << static_cast<unsigned>(layer + kMaxLayer);
 }
@@ -62,8 +57,11 @@ double RunCoverer::stackCost(std::size_t place, unsigned own) const {
   if ((own & unwanted_[place]) != 0U) {
     return costs_.violation;
   }
-  const int with = stackViolations(otherLayers_[place] | own);
-  return with == 0 ? 0.0 : costs_.violation * stackWeights_[place] * static_cast<double>(with);
+  const layout::StackFaults faults = layout::stackFaults(otherLayers_[place] | own);
+  const int filled = problem_->spacers ? faults.fillable : 0;
+  const int with = faults.gaps - filled + faults.overfull;
+  return costs_.spacer * static_cast<double>(filled) +
+         costs_.violation * stackWeights_[place] * static_cast<double>(with);
 }
 
 void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis axis) {

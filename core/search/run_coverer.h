@@ -6,17 +6,19 @@
 
 #include "base/rng.h"
 #include "layout/layout.h"
+#include "layout/stack.h"
 
 namespace liftarm::search {
 
 //! \brief What a beam, a joint in line and a violation cost while one run is covered anew.
 struct CoverCosts {
-  double beam = 10.0;       //!< each real beam part
-  double hole = 0.05;       //!< each hole: prefers beams that fit
-  double layer = 0.4;       //!< each layer off the line, for each beam
-  double layerHole = 0.0;   //!< each hole times layer squared (the paper's deviation)
-  double hinge = 3.0;       //!< two beams in line that share one hole only
-  double overhang = 2.0;    //!< a beam that sticks out past the run's end
+  double beam = 10.0;                   //!< each real beam part
+  double hole = 0.05;                   //!< each hole: prefers beams that fit
+  double layer = 0.4;                   //!< each layer off the line, for each beam
+  double layerHole = 0.0;               //!< each hole times layer squared (the paper's deviation)
+  double hinge = 3.0;                   //!< two beams in line that share one hole only
+  double overhang = 2.0;                //!< a beam that sticks out past the run's end
+  double spacer = layout::kSpacerCost;  //!< each gap that a spacer fills
   double violation = 25.0;  //!< a collision, gap or overfull stack, times the place's weight
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "layout/stack.h"
+
 namespace liftarm::search {
 
 namespace {
@@ -24,6 +26,9 @@ SupplyCounter::SupplyCounter(Supply supply, const mechanisms::MechanismTable& ta
   for (std::size_t c = 0; c < supply_.connectors.size(); ++c) {
     if (supply_.connectors[c].first == kInlinePin) {
       inlinePin_ = static_cast<int>(c);
+    }
+    if (supply_.connectors[c].first == layout::kSpacerPart) {
+      spacer_ = static_cast<int>(c);
     }
   }
 }
@@ -89,6 +94,11 @@ int SupplyCounter::missing(const layout::Layout& layout) {
         used[c] += counts[c];
       }
       atJunctions += static_cast<int>(table_->oriented(placed.oriented).shape.parts.size());
+    }
+    const auto spacers = static_cast<int>(layout.junction(static_cast<int>(j)).spacers.size());
+    atJunctions += spacers;
+    if (spacer_ >= 0) {
+      used[at(spacer_)] += spacers;
     }
   }
   if (inlinePin_ >= 0) {

@@ -47,7 +47,8 @@ class SupplyCounter {
   Supply supply_;
   const mechanisms::MechanismTable* table_;
   bool limited_ = false;
-  int inlinePin_ = -1;                         //!< place of 2780 among the connectors
+  int inlinePin_ = -1;                         //!< place of 2780 among the connectors ...
+  int spacer_ = -1;                            //!< ... and of the spacer
   std::vector<std::vector<int>> byMechanism_;  //!< counts of the connectors, filled when asked for
 };
 

@@ -69,8 +69,14 @@ export const ABLATIONS = [
   {
     key: 'axles',
     title: 'axles with stops',
-    set: ['connectors=2780,6558,87082,48989,55615'],
+    set: ['connectors=2780,6558,87082,48989,55615,18654'],
     about: 'no axle with stop and bush: a stack holds three beams.',
+  },
+  {
+    key: 'spacers',
+    title: 'spacers',
+    set: ['connectors=2780,6558,87082,48989,55615,15462,3713'],
+    about: 'no one-hole beam fills a gap in a stack.',
   },
   {
     key: 'starts',
@@ -93,7 +99,7 @@ export const ABLATIONS = [
   {
     key: 'bent',
     title: '48989 and 55615',
-    set: ['connectors=2780,6558,87082'],
+    set: ['connectors=2780,6558,87082,15462,3713,18654'],
     about: 'no connectors that are corners by themselves.',
   },
 ];

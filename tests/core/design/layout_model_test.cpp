@@ -6,6 +6,7 @@
 #include "analysis/check.h"
 #include "core/helpers/layouts.h"
 #include "design/model_builder.h"
+#include "layout/stack.h"
 #include "search/annealer.h"
 #include "sketch/sketch_json.h"
 
@@ -43,9 +44,11 @@ search::LayoutSnapshot snapshotOf(const layout::Layout& layout) {
   return snapshot;
 }
 
+//! Spacers are none.
 bool isBeam(const model::Model& model, int part) {
   const std::string& id = model.parts[static_cast<std::size_t>(part)].part;
-  return parts::Catalogue::builtIn().find(id)->partClass == parts::PartClass::kBeam;
+  return id != layout::kSpacerPart &&
+         parts::Catalogue::builtIn().find(id)->partClass == parts::PartClass::kBeam;
 }
 
 struct LayoutModel : ::testing::TestWithParam<NamedSketch> {

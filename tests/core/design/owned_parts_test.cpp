@@ -49,6 +49,18 @@ TEST(OwnedParts, AreNotExceededWhereOthersServe) {
   EXPECT_TRUE(solved.report["missing"].empty());
 }
 
+TEST(OwnedParts, SpacersAreNotExceeded) {
+  const sketch::Sketch grid = testing::gridSketch(4);
+  const int spacers = countOf(solve(grid, json::object()).model, "18654");
+  ASSERT_GT(spacers, 1);
+  const Solved none = solve(grid, {{"owned.18654", 0}});
+  EXPECT_EQ(countOf(none.model, "18654"), 0);
+  EXPECT_TRUE(none.report["buildable"].get<bool>()) << none.report["problems"];
+  const Solved few = solve(grid, {{"owned.18654", 1}});
+  EXPECT_LE(countOf(few.model, "18654"), 1);
+  EXPECT_TRUE(few.report["buildable"].get<bool>()) << few.report["problems"];
+}
+
 TEST(OwnedParts, OfBentBeamsAreNotExceeded) {
   // Two L beams make this rectangle, straight ones would be four.
   const sketch::Sketch rectangle = testing::sketchFrom({{{0, 0, 0}, {4, 0, 0}},
@@ -90,6 +102,7 @@ TEST(OwnedParts, ThatDoNotSufficeAreNamedWithTheirNumber) {
                                {"owned.87082", 0},
                                {"owned.48989", 0},
                                {"owned.55615", 0},
+                               {"owned.15462", 0},
                                {"owned.32526", 0},
                                {"rounds", 0}});
   EXPECT_FALSE(solved.report["buildable"].get<bool>());

@@ -246,6 +246,7 @@ TEST(Layout, BeamsOfOneLayerCollideInEveryCorner) {
 
 TEST(Layout, EmptyLayerBetweenStackedBeamsIsAGap) {
   LayoutBench bench(testing::teeSketch());
+  bench.problem.spacers = false;
   Layout layout(bench.problem, bench.solver);
   layout.setCover(0, {lattice::Axis::kZ, {{0, 9, -1}}});
   layout.setCover(1, {lattice::Axis::kZ, {{0, 7, 1}}});

@@ -19,7 +19,17 @@ const BEAMS: readonly (readonly [number, string])[] = [
 /** L and T beams, and those bent by 53.13 degrees. */
 const BENT: readonly string[] = ['32140', '32271', '32348', '32526', '60484', '6629'];
 
-const CONNECTORS: readonly string[] = ['2780', '6558', '87082', '48989', '55615', '15462', '3713'];
+/** Pins and what is joined with them; 18654 fills gaps in stacks. */
+const CONNECTORS: readonly string[] = [
+  '2780',
+  '6558',
+  '87082',
+  '48989',
+  '55615',
+  '15462',
+  '3713',
+  '18654',
+];
 
 /** Parts that cannot be switched off: joints in line are pinned with them. */
 export const NEEDED_PARTS: ReadonlySet<string> = new Set(['2780']);
