@@ -1,8 +1,9 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import type { Browser } from '@playwright/test';
 import { FIRST_MODEL } from '../web/src/app/first-model.ts';
-import { expect, test } from './helpers/test.ts';
+import { expect, test, withoutDrawing } from './helpers/test.ts';
 
 test.use({ draws: false });
 
@@ -82,8 +83,15 @@ test('the first model costs the main thread less than one and a half seconds', a
 /** A mid-range machine at the end of a slow line: bits a second, milliseconds there and back. */
 const THROTTLED = { bits: 10e6, latency: 40, processor: 2 } as const;
 
-test('the first model is on screen soon, on a throttled machine', async ({ page }, info) => {
-  const client = await page.context().newCDPSession(page);
+/** Visits that may be needed on a machine that has other work to do, which can only make them longer. */
+const VISITS = 4;
+
+/** Milliseconds from a click on a link to the page until all parts of a model are drawn, on a first visit. */
+async function firstModelAfter(browser: Browser, baseURL: string): Promise<number> {
+  const context = await browser.newContext({ baseURL, reducedMotion: 'reduce' });
+  const page = await context.newPage();
+  await page.addInitScript(withoutDrawing);
+  const client = await context.newCDPSession(page);
   await client.send('Network.enable');
   await client.send('Network.emulateNetworkConditions', {
     offline: false,
@@ -96,12 +104,47 @@ test('the first model is on screen soon, on a throttled machine', async ({ page 
   const shown = () =>
     page.evaluate((mark) => performance.getEntriesByName(mark)[0]?.startTime ?? null, FIRST_MODEL);
   await expect.poll(shown, { timeout: 60_000 }).not.toBeNull();
-  const seconds = (((await shown()) ?? 0) / 1000).toFixed(2);
-  const text = `first model after ${seconds} s (${JSON.stringify(THROTTLED)})`;
+  const milliseconds = (await shown()) ?? Infinity;
+  await context.close();
+  return milliseconds;
+}
+
+test('the first model is on screen within two seconds, on a throttled machine', async ({
+  browser,
+  baseURL,
+}, info) => {
+  const visits: number[] = [];
+  do {
+    visits.push((await firstModelAfter(browser, baseURL ?? '')) / 1000);
+  } while (visits.length < VISITS && Math.min(...visits) >= 2);
+  const list = visits.map((seconds) => seconds.toFixed(2)).join(', ');
+  const text = `first model after ${list} s (${JSON.stringify(THROTTLED)})`;
   info.annotations.push({ type: 'measured', description: text });
   process.stdout.write(`${text}\n`);
-  // Two seconds on a machine that has nothing else to do; here others may be at work.
-  expect(Number(seconds)).toBeLessThan(12);
+  expect(Math.min(...visits)).toBeLessThan(2);
+});
+
+test('the first picture waits neither for the solver nor for the other examples', async ({
+  page,
+}) => {
+  // Held back, not refused: both come after it.
+  const asked: string[] = [];
+  let release: () => void = () => undefined;
+  const held = new Promise<void>((resolve) => {
+    release = resolve;
+  });
+  await page.route(/\.wasm$|worker-.*\.js$|examples\//, async (route) => {
+    asked.push(route.request().url());
+    await held;
+    await route.continue();
+  });
+  await page.goto('./');
+  await expect(page.getByTestId('verdict')).toContainText('Buildable');
+  await page.waitForFunction((mark) => performance.getEntriesByName(mark).length > 0, FIRST_MODEL);
+  release();
+  await expect.poll(() => asked.some((url) => url.endsWith('.wasm'))).toBe(true);
+  // The time of the search that confirms it.
+  await expect(page.getByText(/^\d+\.\d+ s$/)).toBeVisible({ timeout: 60_000 });
 });
 
 test('the module is fetched once, for all workers', async ({ page }) => {

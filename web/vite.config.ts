@@ -1,10 +1,12 @@
 import { resolve } from 'node:path';
 import { defineConfig } from 'vitest/config';
-import { contentPolicy, serviceWorker, solverPreload } from './pwa/build-plugin.ts';
+import { contentPolicy, serviceWorker } from './pwa/build-plugin.ts';
+import { firstModel } from './pwa/first-model-plugin.ts';
 
 const root = import.meta.dirname;
 const top = resolve(root, '..');
 const outDir = resolve(top, process.env['LIFTARM_DIST'] ?? 'dist');
+const publicDir = resolve(top, 'public');
 const wasm = resolve(top, process.env['LIFTARM_WASM'] ?? 'build/wasm');
 
 // Vitest reads the same file (field `test`).
@@ -12,16 +14,25 @@ export default defineConfig({
   root,
   // Relative addresses: the built page works under any path of a plain static server.
   base: './',
-  publicDir: resolve(top, 'public'),
+  publicDir,
   cacheDir: resolve(top, 'node_modules/.vite'),
   resolve: { alias: { '@wasm': wasm } },
   worker: { format: 'es' },
-  plugins: [contentPolicy(), solverPreload(), serviceWorker(() => outDir)],
+  plugins: [contentPolicy(), firstModel({ wasm, public: publicDir }), serviceWorker(() => outDir)],
   server: { fs: { allow: [top] } },
   build: {
     // three.js alone is more than the default of 500 kB; e2e holds a budget for the whole page.
     chunkSizeWarningLimit: 1200,
     rolldownOptions: {
+      output: {
+        // Two files in place of twenty small ones, each of which would wait for its turn on the line.
+        codeSplitting: {
+          groups: [
+            { name: 'three', test: /[\\/]node_modules[\\/]three[\\/]/, tags: ['$initial'] },
+            { name: 'base', tags: ['$initial'], minShareCount: 2 },
+          ],
+        },
+      },
       checks: { pluginTimings: false },
       // glTF-Transform asks for node:fs in what it does in Node alone.
       onLog: (level, log, handle) => {

@@ -36,31 +36,6 @@ export function contentPolicy(): Plugin {
   };
 }
 
-/** The solver's module is asked for before any script runs: it is as large as all of them. */
-export function solverPreload(): Plugin {
-  return {
-    name: 'liftarm-solver-preload',
-    apply: 'build',
-    transformIndexHtml: {
-      order: 'post',
-      handler: (_, { bundle, filename }) =>
-        Object.keys(bundle ?? {})
-          .filter((file) => file.endsWith('.wasm') && filename.endsWith('index.html'))
-          .map((file) => ({
-            tag: 'link',
-            attrs: {
-              rel: 'preload',
-              href: `./${file}`,
-              as: 'fetch',
-              type: 'application/wasm',
-              crossorigin: 'anonymous',
-            },
-            injectTo: 'head',
-          })),
-    },
-  };
-}
-
 /** Writes sw.js: the service worker with the list of all files of the build. */
 export function serviceWorker(outDir: () => string): Plugin {
   return {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { MadeModel } from '../../../web/src/app/made-model.ts';
 import { SolveRun } from '../../../web/src/app/solve-run.ts';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
 import type { SolveProgress } from '../../../web/src/solver/protocol.ts';
@@ -36,6 +37,87 @@ function begin() {
   const run = new SolveRun(client);
   return { client, run };
 }
+
+const MADE: MadeModel = {
+  sketch: SKETCH,
+  settings: { seed: 1 },
+  modelJson: MODEL,
+  reportJson: '{"buildable":true,"beams":1}',
+  checkJson: '{"buildable":true,"items":[],"problems":[]}',
+  layoutJson: '{"runs":[7]}',
+};
+
+function solvedAs(modelJson: string) {
+  const reportJson = '{"buildable":true,"beams":2}';
+  return {
+    outcome: 'solved',
+    modelJson,
+    reportJson,
+    layoutJson: '{"runs":[8]}',
+    seconds: SECONDS,
+  } as const;
+}
+
+describe('a model that came with the page', () => {
+  it('is shown as if it had been searched for', () => {
+    const { client, run } = begin();
+    run.showMade(MADE);
+    expect(client.solves).toEqual([]);
+    expect(run.state.value.phase).toBe('solved');
+    expect(run.shown.value).toMatchObject({ source: 'search', json: MODEL, sketch: SKETCH });
+    expect(run.shown.value?.check?.buildable).toBe(true);
+    void run.regrow(SKETCH, { seed: 1 });
+    expect(client.solves[0]?.settings).toEqual({ seed: 1, earlier: { runs: [7] } });
+  });
+
+  it('gets the time of the search that confirms it, and stays the model that it was', async () => {
+    const { client, run } = begin();
+    run.showMade(MADE);
+    const shown = run.shown.value?.model;
+    const confirmed = run.confirm(MADE);
+    client.solves[0]?.watch.onProgress?.(PROGRESS, null);
+    expect(run.state.value.phase).toBe('solved');
+    client.solves[0]?.settle(solvedAs(MODEL));
+    await confirmed;
+    expect(run.shown.value?.model).toBe(shown);
+    expect(run.shown.value?.report?.seconds?.total).toBe(SECONDS.total);
+    expect(run.state.value).toMatchObject({ phase: 'solved', progress: { beams: 1 } });
+  });
+
+  it('is replaced by what the search finds, should that be another', async () => {
+    const { client, run } = begin();
+    run.showMade(MADE);
+    const confirmed = run.confirm(MADE);
+    const other = MODEL.replace('"name":""', '"name":"other"');
+    client.solves[0]?.settle(solvedAs(other));
+    await confirmed;
+    expect(run.shown.value).toMatchObject({ json: other, report: { beams: 2 } });
+  });
+
+  it('is not confirmed once something else is searched for', async () => {
+    const { client, run } = begin();
+    run.showMade(MADE);
+    const confirmed = run.confirm(MADE);
+    const done = run.start(SKETCH, { seed: 2 });
+    await confirmed;
+    expect(run.state.value.phase).toBe('solving');
+    client.solves[1]?.settle(solvedAs(MODEL));
+    await done;
+    expect(run.shown.value?.report?.beams).toBe(2);
+    await run.confirm({ ...MADE, modelJson: 'another' });
+    expect(client.solves).toHaveLength(2);
+  });
+
+  it('stays when the search for it fails', async () => {
+    const { client, run } = begin();
+    run.showMade(MADE);
+    const confirmed = run.confirm(MADE);
+    client.solves[0]?.fail(new Error('out of memory'));
+    await confirmed;
+    expect(run.state.value.phase).toBe('solved');
+    expect(run.shown.value?.json).toBe(MODEL);
+  });
+});
 
 describe('solve run', () => {
   it('shows the model as it improves, then the checked one', async () => {

@@ -1,3 +1,4 @@
+import type { SketchDocument } from '../model/sketch.ts';
 import { readSketchValue } from '../state/read-sketch.ts';
 import type { Example } from '../ui/page.ts';
 
@@ -16,6 +17,11 @@ export async function loadExamples(fetchJson: FetchJson): Promise<Example[]> {
 export async function loadFirstExample(fetchJson: FetchJson): Promise<Example | null> {
   const [row] = entriesOf(await fetchJson('examples/index.json'));
   return row ? loadExample(row, fetchJson) : null;
+}
+
+/** The sketch of an example under the name that its list gives it. */
+export function namedSketch(example: Example): SketchDocument {
+  return { ...example.sketch, name: example.title };
 }
 
 interface IndexRow {

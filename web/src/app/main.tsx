@@ -1,3 +1,4 @@
+import { firstModel } from 'virtual:first-model';
 import { computed, effect } from '@preact/signals';
 import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
@@ -28,18 +29,22 @@ import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
-import { loadExamples, loadFirstExample } from './example-list.ts';
+import { loadExamples } from './example-list.ts';
 import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
+import type { MadeModel } from './made-model.ts';
 import { PageController } from './page-controller.ts';
 import { isOwnAddress } from './page-files.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { watchSketch } from './sketch-watch.ts';
+import { settingsOf } from './solve-settings.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;
 const TURN_MS = 12_000;
+/** A page in the background draws nothing: what waits for the picture waits no longer than this. */
+const PICTURE_PATIENCE_MS = 3000;
 
 function textStorage(kind: 'localStorage' | 'sessionStorage'): TextStorage | null {
   try {
@@ -144,35 +149,53 @@ async function openLink(
   return true;
 }
 
-/** What to begin with: a link, else the last visit's sketch, else the first example. */
-async function openFirst(controller: PageController, saved: SavedSketch | null): Promise<void> {
-  const { state, scene } = controller;
+/**
+ * What to begin with: a link, else the last visit's sketch, else the first example.
+ * @returns the model that came with the page, if that is shown.
+ */
+async function openFirst(
+  controller: PageController,
+  saved: SavedSketch | null,
+): Promise<MadeModel | null> {
+  const { state, scene, run } = controller;
   if (saved) {
     controller.begin(saved);
   }
-  if (await openLink(controller, saved?.sketch ?? null)) {
-    return;
+  if ((await openLink(controller, saved?.sketch ?? null)) || saved) {
+    return null;
   }
-  const first = saved ? null : await loadFirstExample(fetchJson).catch(() => null);
-  if (first) {
-    turnUntilTouched(scene);
-    const sketch = { ...first.sketch, name: first.title };
-    controller.shelf.leave(sketch);
-    state.came.value = sketch;
-    controller.begin({ sketch, history: { past: [], future: [] } });
+  turnUntilTouched(scene);
+  const { sketch, settings } = firstModel;
+  controller.shelf.leave(sketch);
+  state.came.value = sketch;
+  controller.begin({ sketch, history: { past: [], future: [] } });
+  // Whoever has set other things gets another model: that one is searched for.
+  const preferences = state.preferences.value;
+  if (!preferences.autoSolve || !same(settings, settingsOf(preferences))) {
+    return null;
   }
+  run.showMade(firstModel);
+  return firstModel;
+}
+
+function same(a: unknown, b: unknown): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }
 
 async function start(): Promise<void> {
   const store = new SketchStore();
   const preferences = keptPreferences(textStorage('localStorage'));
   const client = createSolverPool();
-  client.warmUp();
+  if (location.hash.length > 1) {
+    client.warmUp();
+  }
   const catalogue = readCatalogue(catalogueFile);
   const controller = new PageController({ store, preferences, catalogue, client });
   const { state, toaster } = controller;
   followTheme(state);
   document.documentElement.lang = language;
+  // Asked for before the page is drawn, so that the first picture does not wait for the answer.
+  const opening = openStore(() => toaster.info(text.files.storeNone));
   const page = pageOf(controller);
   const root = document.getElementById('app');
   if (!root) {
@@ -194,17 +217,16 @@ async function start(): Promise<void> {
   );
   const { shelf } = controller;
   const library = new SketchLibrary({
-    store: await openStore(() => toaster.info(text.files.storeNone)),
+    store: await opening,
     tab: textStorage('sessionStorage'),
     newId: () => crypto.randomUUID(),
     onFailure: () => toaster.error(text.files.storeFull),
   });
   const saved = await shelf.begin(library);
   await loadSentences();
-  await openFirst(controller, saved);
+  const made = await openFirst(controller, saved);
   shelf.keepEdits();
   followLanguage(preferences, () => shelf.kept());
-  watchSketch(state, client);
   solveAfterEdits(state, {
     generate: controller.regrow,
     drop: () => controller.run.drop(),
@@ -217,6 +239,16 @@ async function start(): Promise<void> {
     const name = store.sketch.value.name;
     document.title = name ? `${name} – ${text.app.name}` : text.app.name;
   });
+  const drawn = controller.modelDrawn();
+  if (made) {
+    // The solver and the other examples come after the picture, which needs neither.
+    await Promise.race([drawn, new Promise((late) => setTimeout(late, PICTURE_PATIENCE_MS))]);
+  }
+  client.warmUp();
+  if (made) {
+    void controller.run.confirm(made);
+  }
+  watchSketch(state, client);
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
 }
 

@@ -24,6 +24,7 @@ import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
 import type { Actions, CameraMove } from './actions.ts';
+import { namedSketch } from './example-list.ts';
 import { FIRST_MODEL } from './first-model.ts';
 import { PageFiles } from './page-files.ts';
 import { PageState } from './page-state.ts';
@@ -221,7 +222,7 @@ export class PageController implements Actions {
   }
 
   readonly openExample = (example: Example): void => {
-    const sketch = { ...example.sketch, name: example.title };
+    const sketch = namedSketch(example);
     this.replaceSketch(sketch);
     this.state.came.value = sketch;
     this.generate();
@@ -264,8 +265,23 @@ export class PageController implements Actions {
       if (shown?.report && opened && opened !== fitted) {
         fitted = opened;
         this.fit();
-        performance.mark(FIRST_MODEL);
       }
+    });
+  }
+
+  /** Resolves when the model shown is on screen, and marks that in the browser's timeline. */
+  modelDrawn(): Promise<void> {
+    return new Promise((resolve) => {
+      const stop = effect(() => {
+        const { shown } = this.state;
+        const { drawnModel, webglMissing } = this.scene;
+        const drawn = shown.value?.report && drawnModel.value === shown.value.model;
+        if (drawn || (shown.value?.report && webglMissing.value)) {
+          performance.mark(FIRST_MODEL);
+          resolve();
+          queueMicrotask(() => stop());
+        }
+      });
     });
   }
 

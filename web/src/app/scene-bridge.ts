@@ -1,4 +1,4 @@
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
@@ -22,6 +22,9 @@ export class SceneBridge implements PointerTarget {
   readonly #state: PageState;
   readonly #catalogue: Catalogue;
   readonly webglMissing = signal(false);
+  readonly #drawnModel = signal<Model | null>(null);
+  /** The model of which the last frame had all parts. */
+  readonly drawnModel: ReadonlySignal<Model | null> = this.#drawnModel;
   #view: SceneView | null = null;
   #canvas: HTMLCanvasElement | null = null;
   /** Made with the scene: it needs a document. */
@@ -65,7 +68,10 @@ export class SceneBridge implements PointerTarget {
     try {
       this.#view = new SceneView(canvas, {
         catalogue: this.#catalogue,
-        onFrame: () => this.#placeLabel(),
+        onFrame: (model) => {
+          this.#placeLabel();
+          this.#drawnModel.value = model;
+        },
       });
     } catch {
       this.webglMissing.value = true;

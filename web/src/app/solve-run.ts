@@ -7,6 +7,7 @@ import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
 import type { ChartPoint, LayoutSnapshot, ShownModel, SolveState } from '../ui/page.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
+import type { MadeModel } from './made-model.ts';
 import { readModel } from './read-model.ts';
 
 const MAX_CHART_POINTS = 400;
@@ -61,6 +62,63 @@ export class SolveRun {
         this.#running = null;
         this.#end('failed', text.solve.failed);
       }
+    }
+  }
+
+  /** Shows a model that was made before; confirm() searches for it again. */
+  showMade(made: MadeModel): void {
+    const model = readModel(made.modelJson);
+    if (!model.ok) {
+      return;
+    }
+    this.drop();
+    this.#layout = made.layoutJson;
+    this.#sketch = made.sketch;
+    const report = JSON.parse(made.reportJson) as Report;
+    const check = JSON.parse(made.checkJson) as CheckReport;
+    batch(() => {
+      const { sketch, modelJson: json } = made;
+      this.#shown.value = { source: 'search', json, model: model.value, sketch, report, check };
+      this.#end('solved', '');
+    });
+  }
+
+  /**
+   * Searches for what showMade() shows without a word, so that its figures are this machine's, and puts the
+   * model found in its place should it be another. Any other search ends it. Never rejects.
+   */
+  async confirm(made: MadeModel): Promise<void> {
+    if (this.#running || this.#shown.peek()?.json !== made.modelJson) {
+      return;
+    }
+    const run = new AbortController();
+    this.#running = run;
+    let state: SolveState = { ...IDLE, phase: 'solved' };
+    const onProgress = (progress: SolveProgress, json: string | null) => {
+      state = { ...grown(state, progress, json), phase: 'solved' };
+    };
+    const watch = { onProgress, signal: run.signal };
+    const result = await this.#client
+      .solve(writeSketch(made.sketch), made.settings, watch)
+      .catch(() => null);
+    if (this.#running !== run) {
+      return;
+    }
+    this.#running = null;
+    const shown = this.#shown.peek();
+    if (result?.outcome !== 'solved' || shown?.json !== made.modelJson) {
+      return;
+    }
+    this.#state.value = state;
+    const report = timedReport(result);
+    if (result.modelJson === made.modelJson) {
+      batch(() => {
+        this.#shown.value = { ...shown, report };
+        this.#addFinal(result.modelJson, report);
+      });
+    } else {
+      this.#layout = result.layoutJson;
+      await this.#show(made.sketch, result.modelJson, report);
     }
   }
 
@@ -133,18 +191,8 @@ export class SolveRun {
   }
 
   #progressed(sketch: SketchDocument, progress: SolveProgress, json: string | null): void {
-    const { chart, layouts } = this.#state.value;
-    const point = pointOf(progress);
-    const known = Number.isFinite(progress.objective);
-    const kept = chart.length >= MAX_CHART_POINTS ? chart.filter((_, i) => i % 2 === 0) : chart;
     batch(() => {
-      this.#state.value = {
-        phase: 'solving',
-        progress,
-        chart: known ? [...kept, point] : chart,
-        layouts: json === null || !known ? layouts : keptLayouts([...layouts, { ...point, json }]),
-        message: '',
-      };
+      this.#state.value = grown(this.#state.value, progress, json);
       const model = json === null ? null : readModel(json);
       if (json !== null && model?.ok) {
         this.#shown.value = {
@@ -169,14 +217,7 @@ export class SolveRun {
         return;
       case 'solved': {
         this.#layout = result.layoutJson;
-        const report = JSON.parse(result.reportJson) as Report;
-        const { total, byPhase } = result.seconds;
-        const seconds = report.seconds ?? {
-          stageOne: byPhase['stageOne'] ?? 0,
-          stageTwo: byPhase['stageTwo'] ?? 0,
-          total,
-        };
-        await this.#show(sketch, result.modelJson, { ...report, seconds });
+        await this.#show(sketch, result.modelJson, timedReport(result));
       }
     }
   }
@@ -240,6 +281,33 @@ export class SolveRun {
   #end(phase: SolveState['phase'], message: string): void {
     this.#state.value = { ...this.#state.value, phase, message };
   }
+}
+
+/** The state of a search after it has told of its progress, and of a model or none. */
+function grown(state: SolveState, progress: SolveProgress, json: string | null): SolveState {
+  const { chart, layouts } = state;
+  const point = pointOf(progress);
+  const known = Number.isFinite(progress.objective);
+  const kept = chart.length >= MAX_CHART_POINTS ? chart.filter((_, i) => i % 2 === 0) : chart;
+  return {
+    phase: 'solving',
+    progress,
+    chart: known ? [...kept, point] : chart,
+    layouts: json === null || !known ? layouts : keptLayouts([...layouts, { ...point, json }]),
+    message: '',
+  };
+}
+
+/** The report with the seconds that the search took here. */
+function timedReport(result: Extract<SolveResult, { outcome: 'solved' }>): Report {
+  const report = JSON.parse(result.reportJson) as Report;
+  const { total, byPhase } = result.seconds;
+  const seconds = report.seconds ?? {
+    stageOne: byPhase['stageOne'] ?? 0,
+    stageTwo: byPhase['stageTwo'] ?? 0,
+    total,
+  };
+  return { ...report, seconds };
 }
 
 function tallies(report: Report): Partial<ChartPoint> {

@@ -31,6 +31,9 @@ const FADE_AMOUNT = 0.62;
 /** How far an exploded model spreads at most, as a multiple of its size. */
 const EXPLODE_SPREAD = 0.9;
 
+/** Of a frame, in which geometry of new parts is built; more while no model was seen yet. */
+const BUILD_MS = { first: 40, later: 10 } as const;
+
 /** All bricks of one part and style that are to be drawn. */
 interface Members {
   readonly partId: string;
@@ -55,6 +58,8 @@ export class ModelLayer {
   #waiting: Members[] = [];
   readonly #pace: 'at-once' | 'in-slices';
   #bounds: Bounds | null = null;
+  /** No model was there as a whole yet. */
+  #unseen = true;
   #detail: DetailName = 'high';
   #scheme: ColourScheme = 'part';
   #marks: PartMarks = {};
@@ -78,6 +83,11 @@ export class ModelLayer {
 
   get model(): Model | null {
     return this.#model;
+  }
+
+  /** The model, if every part of it is drawn, at whatever level of detail. */
+  get wholeModel(): Model | null {
+    return this.#waiting.length === 0 ? this.#model : null;
   }
 
   /** Box around the parts as drawn, exploded or not; null without parts. */
@@ -193,6 +203,16 @@ export class ModelLayer {
     return true;
   }
 
+  /** As long as there was nothing to look at, parts come before the picture. @returns as advance(). */
+  buildBeforeFrame(): boolean {
+    return this.#unseen && this.advance(BUILD_MS.first);
+  }
+
+  /** @returns as advance(). */
+  buildAfterFrame(): boolean {
+    return this.advance(BUILD_MS.later);
+  }
+
   /**
    * Builds what is still missing at the present level of detail, one part at least, until the time is up.
    * @param milliseconds Infinity builds all of it.
@@ -207,6 +227,7 @@ export class ModelLayer {
         break;
       }
     }
+    this.#unseen &&= this.wholeModel === null;
     return changed;
   }
 

@@ -14,7 +14,7 @@ import { DEFAULT_BOX, prefersReducedMotion } from './scene/defaults.ts';
 import { ScreenSpace } from './scene/screen-space.ts';
 import { Stage } from './scene/stage.ts';
 import { viewTheme } from './scene/theme.ts';
-import { SketchScene } from './sketch/sketch-scene.ts';
+import { SKETCH_OVERLAY, SketchScene } from './sketch/sketch-scene.ts';
 import { pickSketch } from './sketch-picking.ts';
 import { canvasToPng } from './still/canvas-png.ts';
 import type {
@@ -38,9 +38,6 @@ import type {
   ViewMode,
   ViewStats,
 } from './view-types.ts';
-
-/** Milliseconds of a frame in which geometry of new parts is built. */
-const BUILD_MS = 10;
 
 /**
  * The 3D view of sketch and model on one canvas. It draws only when something has changed; whoever
@@ -283,14 +280,14 @@ export class SceneView {
     const { renderer } = this.#stage;
     const before = { ...this.#screen.size(), ratio: renderer.getPixelRatio() };
     renderer.setPixelRatio(1);
-    this.#applySize(width, height);
+    this.#applySize({ width, height });
     this.#chooseDetail();
     this.#model.advance(Infinity);
     this.#draw();
     // The bitmap is taken at the call, so the canvas may have its own size back at once.
     const picture = canvasToPng(this.#canvas);
     renderer.setPixelRatio(before.ratio);
-    this.#applySize(before.width, before.height);
+    this.#applySize(before);
     this.#draw();
     return picture;
   }
@@ -308,16 +305,22 @@ export class SceneView {
   readonly #onFrame = (now: number): void => {
     this.#frame = 0;
     const more = this.#rig.update(now);
+    this.#chooseDetail();
+    this.#changedIf(this.#model.buildBeforeFrame());
     this.#draw();
-    this.#options.onFrame?.();
-    const built = this.#model.advance(BUILD_MS);
-    if (built) {
-      this.#stage.shadowChanged();
-    }
-    if (more || built) {
+    this.#options.onFrame?.(this.#model.wholeModel);
+    this.#changedIf(this.#model.buildAfterFrame());
+    if (more) {
       this.invalidate();
     }
   };
+
+  #changedIf(built: boolean): void {
+    if (built) {
+      this.#stage.shadowChanged();
+      this.invalidate();
+    }
+  }
 
   #draw(): void {
     this.#chooseDetail();
@@ -348,12 +351,11 @@ export class SceneView {
   #fitCanvas(): void {
     const limit = this.#options.pixelRatioLimit ?? 2;
     this.#stage.renderer.setPixelRatio(Math.min(globalThis.devicePixelRatio || 1, limit));
-    const { width, height } = this.#screen.size();
-    this.#applySize(width, height);
+    this.#applySize(this.#screen.size());
     this.invalidate();
   }
 
-  #applySize(width: number, height: number): void {
+  #applySize({ width, height }: { readonly width: number; readonly height: number }): void {
     const { renderer } = this.#stage;
     renderer.setSize(width, height, false);
     this.#rig.setAspect(width / height);
@@ -399,5 +401,3 @@ export class SceneView {
     this.#options.onContext?.(state);
   };
 }
-
-const SKETCH_OVERLAY = { sketch: 'within', both: 'over', model: null } as const;

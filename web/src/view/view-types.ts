@@ -1,6 +1,7 @@
 import type { AxisName, Mat3, Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
+import type { Model } from '../model/model.ts';
 
 /** Positions on screen are CSS pixels from the canvas' top left corner; positions in space modules. */
 export interface ScreenPoint {
@@ -33,8 +34,8 @@ export interface SceneViewOptions {
   readonly pixelRatioLimit?: number;
   /** No animated camera moves when true; asked of the browser when left out. */
   readonly reducedMotion?: boolean;
-  /** Called after each frame drawn: place HTML labels here. */
-  readonly onFrame?: () => void;
+  /** Called after each frame drawn: place HTML labels here. The model is given if all its parts were drawn. */
+  readonly onFrame?: (model: Model | null) => void;
   /** Called when the graphics context goes away and when it is back. */
   readonly onContext?: (state: 'lost' | 'restored') => void;
 }

@@ -7,6 +7,9 @@ import { GuidePlaneLayer } from './guide-plane-layer.ts';
 import { PreviewLayer } from './preview-layer.ts';
 import { SketchLayer } from './sketch-layer.ts';
 
+/** How the sketch lies in each mode. */
+export const SKETCH_OVERLAY = { sketch: 'within', both: 'over', model: null } as const;
+
 /** Everything of drawing: the sketch, the plane that is drawn on, and the line under way. */
 export class SketchScene {
   readonly #sketch = new SketchLayer();

@@ -1,0 +1,5 @@
+declare module 'virtual:first-model' {
+  import type { MadeModel } from './made-model.ts';
+
+  export const firstModel: MadeModel;
+}
