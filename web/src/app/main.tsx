@@ -13,6 +13,7 @@ import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
+import { loadPartNames } from '../ui/text/part-names.ts';
 import { loadSentences } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { Thumbnails } from '../view/still/thumbnails.ts';
@@ -223,7 +224,7 @@ async function start(): Promise<void> {
     onFailure: () => toaster.error(text.files.storeFull),
   });
   const saved = await shelf.begin(library);
-  await loadSentences();
+  await Promise.all([loadSentences(), loadPartNames()]);
   const made = await openFirst(controller, saved);
   shelf.keepEdits();
   followLanguage(preferences, () => shelf.kept());

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
 import type { Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
-import { colourHex, colourName } from '../model/colours.ts';
+import { colourHex } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
@@ -20,6 +20,7 @@ import type {
   ShownModel,
   SolveState,
 } from '../ui/page.ts';
+import { colourWord, partName } from '../ui/text/part-names.ts';
 import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 
 /** Up to this size a sketch is solved after each edit: a second or two on a slow machine. */
@@ -204,19 +205,14 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
     rows: countParts(model).map(
       (row): PartRow => ({
         ...row,
-        name: shortName(catalogue.find(row.part)?.name ?? row.part),
-        colourName: colourName(row.color),
+        name: partName(row.part, catalogue),
+        colourName: colourWord(row.color),
         swatch: `#${colourHex(row.color).toString(16).padStart(6, '0')}`,
       }),
     ),
     bricks: model.parts.length,
     final: report !== null,
   };
-}
-
-/** Every part here is a Technic part, so the word says nothing. */
-function shortName(name: string): string {
-  return name.replace(/^Technic\s+/, '');
 }
 
 /** The line that a refusal of the core names, such as `lines[3]: …`, or null. */

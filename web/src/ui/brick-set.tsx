@@ -4,6 +4,7 @@ import { fillWords } from '../tools/tool-words.ts';
 import { Dialog } from './dialog.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
+import { partName } from './text/part-names.ts';
 import { text } from './text.ts';
 
 const MOST_OWNED = 9999;
@@ -45,7 +46,7 @@ export function BrickSet() {
 function BrickCard({ id }: { readonly id: string }) {
   const { preferences, catalogue } = usePage();
   const { off, owned } = preferences.value;
-  const name = (catalogue.find(id)?.name ?? id).replace(/^Technic\s+/, '');
+  const name = partName(id, catalogue);
   const needed = NEEDED_PARTS.has(id);
   const on = needed || !off.includes(id);
   const setOwned = (value: string) => {

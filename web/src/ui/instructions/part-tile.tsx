@@ -1,9 +1,10 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { PutIn } from '../../instructions/build-steps.ts';
-import { colourHex, colourName } from '../../model/colours.ts';
+import { colourHex } from '../../model/colours.ts';
 import type { PartCount } from '../../model/counts.ts';
 import type { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import type { Picture } from '../../view/drawing/picture.ts';
+import { colourWord, partName } from '../text/part-names.ts';
 import type { Book } from './book.ts';
 import { instructionWords as words } from './instruction-words.ts';
 import { drawApart, drawPartPicture } from './step-picture.ts';
@@ -55,16 +56,16 @@ export function PartTile(props: {
 }) {
   const { row, shelf, named } = props;
   const canvas = usePicture(() => pictureOf(row, shelf), [row, shelf]);
-  const name = shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? row.part;
+  const name = partName(row.part, shelf.catalogue);
   return (
-    <li class="part-tile" title={`${name}, ${colourName(row.color)}, ${row.part}`}>
+    <li class="part-tile" title={`${name}, ${colourWord(row.color)}, ${row.part}`}>
       <canvas ref={canvas} width={SIZE.width} height={SIZE.height} />
       <strong>{row.count}×</strong>
       {named ? (
         <span>
           {name}
           <small class="quiet">
-            {row.part}, {colourName(row.color)}
+            {row.part}, {colourWord(row.color)}
           </small>
         </span>
       ) : (

@@ -7,7 +7,7 @@ import {
   StandardFonts,
 } from 'pdf-lib';
 import { modelBounds } from '../../../model/bounds.ts';
-import { colourHex, colourName } from '../../../model/colours.ts';
+import { colourHex } from '../../../model/colours.ts';
 import { countParts, modelMass, type PartCount } from '../../../model/counts.ts';
 import { fillWords } from '../../../tools/tool-words.ts';
 import { cameraFor, ISO_OUT } from '../../../view/drawing/drawing-camera.ts';
@@ -15,6 +15,7 @@ import { drawn } from '../../../view/drawing/drawn-part.ts';
 import { drawPicture, type Picture } from '../../../view/drawing/picture.ts';
 import { pictureBlob } from '../../share/picture-blob.ts';
 import { formatNumber } from '../../text/language.ts';
+import { colourWord, partName } from '../../text/part-names.ts';
 import type { Book } from '../book.ts';
 import { instructionWords as words } from '../instruction-words.ts';
 import { arrowPath } from '../step-canvas.tsx';
@@ -190,9 +191,9 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
     page.drawImage(await partImage(press, row), { x, y, ...PART_CELL.picture });
     const count = write(press, page, `${row.count}x`, { x, y: y - 18, size: 18, strong: true });
     write(press, page, row.part, { x: x + count + 10, y: y - 18, size: 11 });
-    const name = press.book.shelf.catalogue.find(row.part)?.name.replace(/^Technic\s+/, '') ?? '';
+    const name = partName(row.part, press.book.shelf.catalogue);
     // The colour first: what is cut off of a long name says less.
-    const title = `${colourName(row.color)}: ${name}`;
+    const title = `${colourWord(row.color)}: ${name}`;
     const lines = wrap(printable(title), cell - 12, (line) =>
       press.plain.widthOfTextAtSize(line, 10),
     );
