@@ -1,6 +1,6 @@
 import { type Validation, validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
-import { IDENTITY } from '../../../web/src/geometry/vec.ts';
+import { IDENTITY, type Vec3 } from '../../../web/src/geometry/vec.ts';
 import type { Model } from '../../../web/src/model/model.ts';
 import { embedHtml, linkTo, pageFolder } from '../../../web/src/ui/share/page-link.ts';
 import { MAX_QR_BYTES, qrPath } from '../../../web/src/ui/share/qr-code.tsx';
@@ -8,6 +8,7 @@ import { MeshShelf } from '../../../web/src/view/drawing/drawn-part.ts';
 import { writeGlb } from '../../../web/src/view/export/glb.ts';
 import { writeStl } from '../../../web/src/view/export/stl.ts';
 import { catalogue } from '../view/helpers/catalogue.ts';
+import { openEdgesOf } from '../view/helpers/mesh-facts.ts';
 
 const shelf = new MeshShelf(catalogue);
 
@@ -85,6 +86,24 @@ describe('.stl', () => {
     const xs = Array.from({ length: count }, (_, i) => view.getFloat32(84 + 50 * i + 12, true));
     expect(Math.min(...xs)).toBeCloseTo(80 - 3.6, 1);
     expect(Math.max(...xs)).toBeCloseTo(80 + 3.6, 1);
+  });
+
+  it('is closed for every part of the catalogue', () => {
+    for (const { id } of catalogue.parts) {
+      const file = writeStl(modelOf([[id, 71, 0]]), shelf);
+      const view = new DataView(file.buffer);
+      const corner = (face: number, k: number): Vec3 => {
+        const at = 84 + 50 * face + 12 * (k + 1);
+        // Float32 of millimetres: a thousandth is what it holds.
+        const value = (i: number) => Math.round(view.getFloat32(at + 4 * i, true) * 1e3) / 1e3;
+        return [value(0), value(1), value(2)];
+      };
+      const faces = Array.from(
+        { length: view.getUint32(80, true) },
+        (_, i) => [corner(i, 0), corner(i, 1), corner(i, 2)] as const,
+      );
+      expect(openEdgesOf(faces), id).toBe(0);
+    }
   });
 });
 

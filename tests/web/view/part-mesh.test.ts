@@ -10,6 +10,7 @@ import {
   largestDifference,
   meshBounds,
   openEdges,
+  smallestSide,
   volume,
 } from './helpers/mesh-facts.ts';
 
@@ -49,6 +50,14 @@ describe('the mesh of every part', () => {
           expect.fail(`${name}: normal ${i / 3} is (${x}, ${y}, ${z})`);
         }
       }
+    });
+  });
+
+  it('is closed, without triangles that are none', () => {
+    everyMesh((mesh, name) => {
+      expect(openEdges(mesh), name).toBe(0);
+      expect(smallestSide(mesh), name).toBeGreaterThan(1e-4);
+      expect(volume(mesh), name).toBeGreaterThan(0.1);
     });
   });
 

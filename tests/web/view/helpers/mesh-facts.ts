@@ -1,5 +1,5 @@
 import type { Vec3 } from '../../../../web/src/geometry/vec.ts';
-import { cross, dot, subtract } from '../../../../web/src/geometry/vec.ts';
+import { cross, distance, dot, subtract } from '../../../../web/src/geometry/vec.ts';
 import type { BrickMesh } from '../../../../web/src/view/bricks/mesh-builder.ts';
 import { rayMeetsTriangle } from '../../../../web/src/view/part-picking.ts';
 
@@ -23,11 +23,16 @@ export function volume(mesh: BrickMesh): number {
   return triangles(mesh).reduce((sum, [a, b, c]) => sum + dot(a, cross(b, c)) / 6, 0);
 }
 
-/** Edges that are not walked once in each direction: none on a closed surface. */
+/** Edges that are not walked as often one way as the other: none on closed surfaces. */
 export function openEdges(mesh: BrickMesh): number {
+  return openEdgesOf(triangles(mesh));
+}
+
+/** As openEdges(), of triangles in any unit; corners nearer than 1/10000 of it are one. */
+export function openEdgesOf(faces: readonly Triangle[]): number {
   const balance = new Map<string, number>();
   const key = (p: Vec3): string => p.map((value) => Math.round(value * 1e4) + 0).join(',');
-  for (const [a, b, c] of triangles(mesh)) {
+  for (const [a, b, c] of faces) {
     for (const [p, q] of [
       [a, b],
       [b, c],
@@ -41,6 +46,14 @@ export function openEdges(mesh: BrickMesh): number {
     }
   }
   return [...balance.values()].filter((sum) => sum !== 0).length;
+}
+
+/** Length of the shortest side of a triangle. */
+export function smallestSide(mesh: BrickMesh): number {
+  return triangles(mesh).reduce(
+    (least, [a, b, c]) => Math.min(least, distance(a, b), distance(b, c), distance(c, a)),
+    Infinity,
+  );
 }
 
 /** Distance to the first face that a ray meets from its front, or Infinity. */

@@ -6,7 +6,7 @@ import { addPolygon } from './plate.ts';
 /** Length of the bevel at a free end, modules, and how far it narrows the cross. */
 const BEVEL = { length: 0.04, scale: 0.88 } as const;
 
-/** Which ends of an axle are free and get a cap. */
+/** Which ends of an axle are free: those have a bevel. */
 export interface AxleEnds {
   readonly low: boolean;
   readonly high: boolean;
@@ -14,7 +14,7 @@ export interface AxleEnds {
 
 /**
  * Adds an axle along the frame's z axis from -halfLength to +halfLength; a wing lies along x.
- * Ends that sit in a body stay open.
+ * Ends that sit in a body are flat and without lines.
  */
 export function addAxle(
   builder: MeshBuilder,
@@ -32,6 +32,8 @@ export function addAxle(
   for (const side of [1, -1] as const) {
     if (side > 0 ? run.ends.high : run.ends.low) {
       addEnd(builder, frame, polygon, [side > 0 ? high : low, side * run.halfLength]);
+    } else {
+      addPolygon(builder, frame, { contour: polygon, holes: [] }, side * run.halfLength);
     }
   }
 }

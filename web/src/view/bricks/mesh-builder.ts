@@ -108,6 +108,16 @@ export class MeshBuilder {
     this.quad(first, first + 1, first + 2, first + 3);
   }
 
+  /** A flat polygon, counter-clockwise from outside, all of which is seen from its first corner. */
+  flatFan(corners: readonly Vec3[], shade = 1): void {
+    const [a = ZERO, b = ZERO, c = ZERO] = corners;
+    const normal = normalize(cross(subtract(b, a), subtract(c, a)));
+    const first = corners.map((corner) => this.vertex(corner, normal, shade))[0] ?? 0;
+    for (let i = 1; i + 1 < corners.length; i++) {
+      this.triangle(first, first + i, first + i + 1);
+    }
+  }
+
   /** A line that is always drawn. */
   hardLine(a: Vec3, b: Vec3): void {
     this.softLine(a, b, [ZERO, ZERO]);

@@ -23,8 +23,8 @@ import {
 } from './part-layout.ts';
 import { addPinHead } from './pin.ts';
 import { addPlate } from './plate.ts';
-import { addRevolved } from './revolve.ts';
-import { addWeb, circleSection, rectangleSection } from './web.ts';
+import { addRevolved, circlePoints, fullCircle } from './revolve.ts';
+import { addWeb, circleFaces, circleSection, rectangleFaces, rectangleSection } from './web.ts';
 
 /**
  * Builds the mesh of any part of the catalogue in its own frame: bodies from its solid, openings from
@@ -105,6 +105,8 @@ function at(frame: Frame, x: number, y: number): Vec3 {
 /** Half the width of a web, and how far from a barrel's middle a head's foot stands. */
 const WEB_HALF = 0.45;
 const NECK_HEIGHT = 0.5;
+/** Of the disc that ends a neck round an axle. */
+const NECK_DISC = 0.02;
 
 /** How deep webs and necks reach into the bodies that they join: to just outside the hole. */
 const BURIED = DIMENSIONS.counterboreRadius + 0.02;
@@ -130,8 +132,11 @@ function addBridge(builder: MeshBuilder, bridge: Bridge, detail: Detail): void {
   const flip = dot(frame.y, b.axis) < 0 ? -1 : 1;
   const x = overlap([0, Math.min(a.halfHeight, WEB_HALF)], [alongA, 0.5]);
   const y = overlap([flip * alongB, Math.min(b.halfHeight, WEB_HALF)], [0, 0.5]);
+  const steps = detail.name === 'low' ? 1 : 6;
   addWeb(builder, frame, {
-    section: rectangleSection(x, y, detail.name === 'low' ? 1 : 6),
+    section: rectangleSection(x, y, steps),
+    startFaces: rectangleFaces(steps, 'y'),
+    endFaces: rectangleFaces(steps, 'x'),
     start: (_, across) => barrelHeight(across),
     end: (across) => gap - barrelHeight(across - alongA),
     round: false,
@@ -160,6 +165,8 @@ function addNeck(
   }
   addWeb(builder, frame, {
     section: circleSection(DIMENSIONS.collarRadius, detail.segments),
+    startFaces: circleFaces(detail.segments),
+    endFaces: circleFaces(detail.segments),
     start: (_, y) => barrelHeight(y),
     end: () => run.height,
     round: true,
@@ -217,15 +224,19 @@ function addAxleRun(builder: MeshBuilder, male: MaleRun, detail: Detail): void {
   });
 }
 
-/** The ring round an axle where it leaves its neck. */
+/** The ring round an axle where it leaves its neck: a thin disc, closed by itself. */
 function addNeckFace(builder: MeshBuilder, frame: Frame, detail: Detail): void {
+  const radius = DIMENSIONS.collarRadius;
   addRevolved(
     builder,
     frame,
     [
-      [DIMENSIONS.collarRadius, 0],
+      [0, -NECK_DISC],
+      [radius, -NECK_DISC],
+      [radius, 0],
       [0, 0],
     ],
-    { segments: detail.segments, rims: 'corners-and-ends' },
+    { segments: detail.segments, rims: 'none' },
   );
+  builder.hardPolyline(circlePoints(frame, radius, 0, fullCircle(detail.segments)));
 }

@@ -1,6 +1,6 @@
 import { type Detail, DIMENSIONS } from './detail.ts';
 import { type Frame, type MeshBuilder, type Point2, toPart } from './mesh-builder.ts';
-import { addRevolved } from './revolve.ts';
+import { addRevolved, arcAngles, fullCircle } from './revolve.ts';
 
 /** One end of a pin: it grows along the frame's z axis, from 0 to `length`. */
 export interface PinHead {
@@ -40,7 +40,8 @@ export function addPinHead(
   const tip = tipProfile(head.length, detail);
   const join = detail.pinDetails ? head.length - HEAD.slotDepth : (tip[0]?.[1] ?? 0);
   const shaft: Point2[] = [...foot, [DIMENSIONS.pinRadius, join]];
-  const common = { segments: detail.segments, silhouettes: detail.silhouettes };
+  const ring = headAngles(detail);
+  const common = { segments: detail.segments, angles: ring, silhouettes: detail.silhouettes };
   addRevolved(builder, frame, shaft, {
     ...common,
     rims: head.collar ? 'corners-and-ends' : 'corners',
@@ -53,7 +54,28 @@ export function addPinHead(
   } else {
     addRevolved(builder, frame, tip, { ...common, rims: 'corners' });
   }
-  addBore(builder, frame, head, detail);
+  addBore(builder, frame, head, { detail, ring });
+}
+
+/** The two half shells of a slit tip, and the slits between them. */
+const SHELLS = [Math.PI / 2, (3 * Math.PI) / 2].map((middle) =>
+  around(middle, Math.PI / 2 - HEAD.slotHalfAngle),
+);
+const SLITS = [0, Math.PI].map((middle) => around(middle, HEAD.slotHalfAngle));
+
+function around(middle: number, half: number): readonly [number, number] {
+  return [middle - half, middle + half];
+}
+
+/** The steps round a head: shaft, shells, slits and bore share them, so that no edge meets half of another. */
+function headAngles(detail: Detail): readonly number[] {
+  if (!detail.pinDetails) {
+    return fullCircle(detail.segments);
+  }
+  const arcs = [SLITS[0], SHELLS[0], SLITS[1], SHELLS[1]].map((arc) =>
+    arcAngles(detail.segments, arc ?? [0, 0]),
+  );
+  return arcs.flatMap((angles, i) => (i < arcs.length - 1 ? angles.slice(0, -1) : angles));
 }
 
 function footProfile(head: PinHead): Point2[] {
@@ -98,24 +120,22 @@ function addSlottedTip(
   const { tip, join } = shape;
   const shell: Point2[] = [[DIMENSIONS.pinRadius, join], ...tip];
   const bore = DIMENSIONS.pinBoreRadius;
-  for (const middle of [Math.PI / 2, (3 * Math.PI) / 2]) {
-    const half = Math.PI / 2 - HEAD.slotHalfAngle;
-    const arc = [middle - half, middle + half] as const;
+  for (const arc of SHELLS) {
+    const angles = arcAngles(detail.segments, arc);
+    const common = { segments: detail.segments, angles };
     addRevolved(builder, frame, shell, {
-      segments: detail.segments,
+      ...common,
       rims: 'corners',
       silhouettes: detail.silhouettes,
-      arc,
     });
     const inside: Point2[] = [
       [bore, tip.at(-1)?.[1] ?? 0],
       [bore, join],
     ];
     addRevolved(builder, frame, inside, {
-      segments: detail.segments,
+      ...common,
       shades: [SHADE.mouth, SHADE.bore],
       rims: 'corners-and-ends',
-      arc,
     });
     for (const [angle, side] of [
       [arc[0], -1],
@@ -124,7 +144,7 @@ function addSlottedTip(
       addSlotSide(builder, frame, { shell, angle, side });
     }
   }
-  addSlotFloor(builder, frame, join);
+  addSlotFloor(builder, frame, join, detail);
 }
 
 /** The flat side of a slit at an angle; `side` tells which way it looks round the axis. */
@@ -137,22 +157,20 @@ function addSlotSide(
   const bore = DIMENSIONS.pinBoreRadius;
   const place = (r: number, t: number): readonly [number, number, number] =>
     toPart(frame, r * Math.cos(angle), r * Math.sin(angle), t);
+  // A fan from where the wall ends at the bore: every other point of it is seen from there.
+  const corners = [place(bore, shell[0]?.[1] ?? 0), ...shell.map(([r, t]) => place(r, t))];
+  const turned = side > 0 ? corners.reverse() : corners;
+  builder.flatFan(side > 0 ? turned : [...turned.slice(-1), ...turned.slice(0, -1)], SHADE.slot);
   for (let i = 0; i + 2 < shell.length; i++) {
-    const [r0, t0] = shell[i] ?? [0, 0];
-    const [r1, t1] = shell[i + 1] ?? [0, 0];
-    const a = place(bore, t0);
-    const b = place(r0, t0);
-    const c = place(r1, t1);
-    const d = place(bore, t1);
-    builder.flatQuad(side > 0 ? [d, c, b, a] : [a, b, c, d], SHADE.slot);
-    builder.hardLine(b, c);
+    const [a, b] = [shell[i] ?? [0, 0], shell[i + 1] ?? [0, 0]];
+    builder.hardLine(place(a[0], a[1]), place(b[0], b[1]));
   }
   const top = shell.at(-1)?.[1] ?? 0;
   builder.hardLine(place(HEAD.tipRadius, top), place(bore, top));
 }
 
-function addSlotFloor(builder: MeshBuilder, frame: Frame, height: number): void {
-  for (const middle of [0, Math.PI]) {
+function addSlotFloor(builder: MeshBuilder, frame: Frame, height: number, detail: Detail): void {
+  for (const arc of SLITS) {
     addRevolved(
       builder,
       frame,
@@ -161,16 +179,21 @@ function addSlotFloor(builder: MeshBuilder, frame: Frame, height: number): void 
         [DIMENSIONS.pinBoreRadius, height],
       ],
       {
-        segments: 16,
+        segments: detail.segments,
         shades: [SHADE.slot, SHADE.slot],
         rims: 'none',
-        arc: [middle - HEAD.slotHalfAngle, middle + HEAD.slotHalfAngle],
+        angles: arcAngles(detail.segments, arc),
       },
     );
   }
 }
 
-function addBore(builder: MeshBuilder, frame: Frame, head: PinHead, detail: Detail): void {
+function addBore(
+  builder: MeshBuilder,
+  frame: Frame,
+  head: PinHead,
+  { detail, ring }: { readonly detail: Detail; readonly ring: readonly number[] },
+): void {
   const bore = DIMENSIONS.pinBoreRadius;
   const top = detail.pinDetails ? head.length - HEAD.slotDepth : head.length;
   const floor = head.bore === 'through' ? 0 : HEAD.boreFloor;
@@ -184,7 +207,8 @@ function addBore(builder: MeshBuilder, frame: Frame, head: PinHead, detail: Deta
     shades.push(SHADE.bore);
   }
   addRevolved(builder, frame, wall, {
-    segments: Math.max(8, detail.segments / 2),
+    segments: detail.segments,
+    angles: ring,
     shades,
     rims: detail.pinDetails ? 'none' : 'corners-and-ends',
   });
@@ -203,6 +227,13 @@ function addRidges(builder: MeshBuilder, frame: Frame, offset: number): void {
       toPart(frame, radial * c - across * s, radial * s + across * c, t);
     const inner = DIMENSIONS.pinRadius - 0.01;
     builder.flatQuad([place(r, -w, low), place(r, w, low), place(r, w, high), place(r, -w, high)]);
+    // Within the shaft, so that the ridge is closed by itself.
+    builder.flatQuad([
+      place(inner, -w, high),
+      place(inner, w, high),
+      place(inner, w, low),
+      place(inner, -w, low),
+    ]);
     for (const side of [1, -1] as const) {
       const a = place(inner, side * w, low);
       const b = place(inner, side * w, high);

@@ -16,8 +16,8 @@ export interface RevolveOptions {
   /** Draws circles at the profile's sharp corners and, when asked for, at its two ends. */
   readonly rims: 'none' | 'corners' | 'corners-and-ends';
   readonly silhouettes?: boolean;
-  /** Start and end angle in radians; a full circle when left out. */
-  readonly arc?: readonly [number, number];
+  /** Where the steps are, in radians, the last one too; a full circle when left out. */
+  readonly angles?: readonly number[];
 }
 
 /** cos of the angle between neighbours of a profile above which they shade as one smooth surface. */
@@ -36,7 +36,7 @@ export function addRevolved(
   profile: readonly Point2[],
   options: RevolveOptions,
 ): void {
-  const angles = stepAngles(options);
+  const angles = options.angles ?? fullCircle(options.segments);
   const normals = segmentNormals(profile);
   for (let i = 0; i + 1 < profile.length; i++) {
     addBand(builder, frame, { profile, normals, index: i, angles }, options);
@@ -67,14 +67,11 @@ interface ProfileRun {
   readonly angles: readonly number[];
 }
 
-function stepAngles(options: RevolveOptions): number[] {
-  const arc = options.arc;
-  if (!arc) {
-    return fullCircle(options.segments);
-  }
-  const span = arc[1] - arc[0];
-  const steps = Math.max(1, Math.round((options.segments * span) / (2 * Math.PI)));
-  return Array.from({ length: steps + 1 }, (_, i) => arc[0] + (span * i) / steps);
+/** Angles from one to another, both included, in steps like those of a full circle of `segments`. */
+export function arcAngles(segments: number, [from, to]: readonly [number, number]): number[] {
+  const span = to - from;
+  const steps = Math.max(1, Math.round((segments * span) / (2 * Math.PI)));
+  return Array.from({ length: steps + 1 }, (_, i) => from + (span * i) / steps);
 }
 
 function segmentNormals(profile: readonly Point2[]): Point2[] {
@@ -165,17 +162,18 @@ function addSilhouettes(
   const [r0, t0] = at(profile, index);
   const [r1, t1] = at(profile, index + 1);
   const [nr, nt] = at(normals, index);
-  const step = (angles[1] ?? 0) - (angles[0] ?? 0);
   const faceNormal = (angle: number): Vec3 =>
     directionToPart(frame, nr * Math.cos(angle), nr * Math.sin(angle), nt);
-  for (const angle of angles.slice(0, -1)) {
+  angles.slice(0, -1).forEach((angle, i) => {
+    const after = ((angles[i + 1] ?? angle) - angle) / 2;
+    const before = i > 0 ? (angle - (angles[i - 1] ?? angle)) / 2 : after;
     const c = Math.cos(angle);
     const s = Math.sin(angle);
     builder.softLine(toPart(frame, r0 * c, r0 * s, t0), toPart(frame, r1 * c, r1 * s, t1), [
-      faceNormal(angle - step / 2),
-      faceNormal(angle + step / 2),
+      faceNormal(angle - before),
+      faceNormal(angle + after),
     ]);
-  }
+  });
 }
 
 function addRims(
