@@ -75,6 +75,35 @@ function stretch([from, to]) {
   return [{ from: point(add(from, unit, inset)), to: point(add(to, unit, -inset)) }];
 }
 
+/**
+ * Facts end a bar of a frame at the flank of the bar that it runs into; the hole in which both meet is
+ * one module further on.
+ */
+function untilTheBarsThatItMeets(bar, bars, pinHoles) {
+  const total = length(add(bar.to, bar.from, -1));
+  const unit = add(bar.to, bar.from, -1).map((value) => value / total);
+  const reach = (end, way) => {
+    const next = add(end, unit, way);
+    const isHole = pinHoles.some((hole) => length(add(hole, next, -1)) < 1e-6);
+    const meets = bars.some((other) => other !== bar && isBetween(next, other));
+    return isHole && meets ? next : end;
+  };
+  return { from: reach(bar.from, -1), to: reach(bar.to, 1) };
+}
+
+function isBetween(at, { from, to }) {
+  const apart = (a, b) => length(add(a, b, -1));
+  return Math.abs(apart(at, from) + apart(at, to) - apart(from, to)) < 1e-6;
+}
+
+function stretchesOf(fact) {
+  const bars = (fact.stretches ?? []).flatMap(stretch);
+  const pinHoles = fact.features
+    .filter((feature) => KINDS[feature.kind] === 'pinHole')
+    .map((feature) => point(feature.center));
+  return bars.map((bar) => untilTheBarsThatItMeets(bar, bars, pinHoles));
+}
+
 function armsOf(choice, holes) {
   if (choice.arms) return choice.arms;
   const along = holes.map((hole) => hole.center).sort((a, b) => a[2] - b[2] || a[0] - b[0]);
@@ -154,7 +183,7 @@ function partRecord(id, choice, fact) {
     ...massOf(choice, fact),
     name: fact.title.replace(/\s+/g, ' '),
     solid: solidOf(choice, fact, thickness),
-    stretches: beam ? (fact.stretches ?? []).flatMap(stretch) : [],
+    stretches: beam ? stretchesOf(fact) : [],
     thickness: beam ? thickness : 1,
   };
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -91,13 +92,19 @@ class Bridges {
   NodeIndex nodes_;
 };
 
-//! Where the stack of a node has something in it: layers of beams and spacers.
+//! Where the stack of a node has something in it: layers of beams, and of all holes.
 int gapsInStack(const std::set<int>& beamLayers, const std::set<int>& filled) {
-  if (beamLayers.empty()) {
+  std::set<int> withHoles;
+  std::set_intersection(beamLayers.begin(),
+                        beamLayers.end(),
+                        filled.begin(),
+                        filled.end(),
+                        std::inserter(withHoles, withHoles.end()));
+  if (withHoles.empty()) {
     return 0;
   }
   int gaps = 0;
-  for (int layer = *beamLayers.begin(); layer <= *beamLayers.rbegin(); ++layer) {
+  for (int layer = *withHoles.begin(); layer <= *withHoles.rbegin(); ++layer) {
     gaps += filled.count(layer) == 0 ? 1 : 0;
   }
   return gaps;

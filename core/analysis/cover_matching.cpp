@@ -108,9 +108,7 @@ class Matching {
     const lattice::Vec3 d = edge.to - edge.from;
     const double sign = d.x + 3 * d.y + 9 * d.z < 0 ? -1.0 : 1.0;
     const double middle = sign * lattice::dot(0.5 * (edge.from + edge.to), d);
-    // The arms of an L beam lie in two directions: places along them are told apart by it.
-    const long slope = static_cast<long>(std::floor(sign * (d.x + 3 * d.y + 9 * d.z) * 64.0 + 0.5));
-    const Key key{cover.part, slope, static_cast<long>(std::floor(2.0 * middle + 0.5))};
+    const Key key{cover.part, cover.stretch, static_cast<long>(std::floor(2.0 * middle + 0.5))};
     return modules_.emplace(key, static_cast<int>(modules_.size())).first->second;
   }
 
@@ -138,7 +136,7 @@ class Matching {
     return false;
   }
 
-  using Key = std::tuple<int, long, long>;  // part, direction, twice the place along it
+  using Key = std::tuple<int, int, long>;  // part, stretch, twice the place along it
 
   std::vector<EdgeCover>& edges_;
   std::vector<int> places_;

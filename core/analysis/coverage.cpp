@@ -25,6 +25,7 @@ struct WorldStretch {
   Vec3 holeAxis;
   bool thin = false;
   int layerSaid = 0;
+  int number = 0;  // among the part's
 };
 
 std::vector<WorldStretch> stretchesOf(const Scene& scene) {
@@ -35,13 +36,14 @@ std::vector<WorldStretch> stretchesOf(const Scene& scene) {
       continue;
     }
     const lattice::Pose& pose = scene.model->parts[i].pose;
-    for (const parts::Stretch& stretch : part->stretches) {
+    for (std::size_t s = 0; s < part->stretches.size(); ++s) {
       result.push_back({static_cast<int>(i),
-                        pose.apply(stretch.from),
-                        pose.apply(stretch.to),
+                        pose.apply(part->stretches[s].from),
+                        pose.apply(part->stretches[s].to),
                         pose.rotation * part->solid.front().axis,
                         part->thickness < 1.0,
-                        scene.model->parts[i].layer});
+                        scene.model->parts[i].layer,
+                        static_cast<int>(s)});
     }
   }
   return result;
@@ -88,7 +90,7 @@ void coverEdges(const WorldStretch& stretch, const sketch::Line& line, EdgeCover
   const double forward = axis.x + axis.y + axis.z < 0 ? -layer : layer;
   const bool said = std::lround(forward) == stretch.layerSaid;
   for (int k = first; k < last; ++k) {
-    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis, said});
+    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis, said, stretch.number});
   }
 }
 

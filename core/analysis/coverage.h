@@ -19,6 +19,7 @@ struct Cover {
   double layer = 0.0;      //!< offset from the line along the hole axis; quarters for thin beams
   lattice::Vec3 holeAxis;  //!< world, unit
   bool said = false;       //!< the model says that the beam is on this layer of its line
+  int stretch = 0;         //!< which of the part's stretches
 };
 
 //! \brief One unit edge of a sketch line and what covers it.
@@ -43,7 +44,8 @@ std::vector<EdgeCover> findCoverage(const Scene& scene);
 ItemResult checkCoverage(const Scene& scene, const std::vector<EdgeCover>& coverage);
 
 //! \brief Empty layers in the stacks of beams at the nodes of the sketch (paper 4.3), the sum over
-//! nodes of layer range + 1 - number of distinct layers. A spacer in between fills its layer.
+//! nodes of layer range + 1 - number of distinct layers. A spacer in between fills its layer; a
+//! beam without a hole there, as frames are between their holes, neither counts nor fills.
 int countGaps(const Scene& scene, const std::vector<EdgeCover>& coverage);
 
 }  // namespace liftarm::analysis

@@ -60,5 +60,14 @@ TEST(MatchCovers, TakesTheNearestWhereTheModelSaysNothing) {
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{1});
 }
 
+TEST(MatchCovers, TellsTheParallelBarsOfAFrameApart) {
+  std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 4)};
+  edges[0].covers = {{0, 0.0, kUp, true, 0}};
+  edges[1].covers = {{0, 0.0, kUp, true, 1}};
+  matchCovers(edges);
+  EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0});
+  EXPECT_EQ(partsOf(edges[1]), std::vector<int>{0});
+}
+
 }  // namespace
 }  // namespace liftarm::analysis

@@ -9,10 +9,16 @@ namespace {
 
 constexpr lattice::Vec3 kY{0, 1, 0};
 
+//! Turns a straight beam along x, its holes along y.
+const lattice::Mat3 kAlongX = lattice::fromColumns({0, 0, -1}, {1, 0, 0}, kY);
+
 TEST(CountGaps, LeavesOutAnotherLinesBeamBesideABridgedEdge) {
   // Edge 1 goes on from the node at x = 1, where the first line's beam lies on layer 0. The beam
   // of the third line, three layers off, passes there too.
-  const model::Model model;
+  model::Model model;
+  for (const double y : {0.0, -3.0}) {
+    model.parts.push_back({"32523", 71, {{1, y, 0}, kAlongX}, -1, 0, 0});
+  }
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());
   std::vector<EdgeCover> coverage{{0, 0, {0, 0, 0}, {1, 0, 0}, {{0, 0.0, kY, true}}},
                                   {1, 0, {1, 0, 0}, {2, 0, 0}, {{1, -3.0, kY, false}}},
@@ -20,6 +26,28 @@ TEST(CountGaps, LeavesOutAnotherLinesBeamBesideABridgedEdge) {
   EXPECT_EQ(countGaps(scene, coverage), 0);
   coverage[2].covers[0].said = false;  // now it may be either line's
   EXPECT_GT(countGaps(scene, coverage), 0);
+}
+
+TEST(CountGaps, LeavesOutABeamWithoutAHoleThere) {
+  // A frame's side along x, its normal along z: at x = 0 its hole goes along y.
+  model::Model model;
+  const lattice::Mat3 turned = lattice::fromColumns({0, -1, 0}, {1, 0, 0}, {0, 0, 1});
+  model.parts.push_back({"64179", 71, {{0, -2, 0}, turned}, -1, 0, 0});
+  for (const double z : {1.0, -1.0}) {
+    model.parts.push_back({"32523",
+                           71,
+                           {{0, 0, z}, lattice::fromColumns({1, 0, 0}, {0, 1, 0}, {0, 0, 1})},
+                           -1,
+                           0,
+                           0});
+  }
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+  const lattice::Vec3 up{0, 0, 1};
+  std::vector<EdgeCover> coverage{{0, 0, {0, 0, 0}, {1, 0, 0}, {{0, 0.0, up, true}}},
+                                  {1, 0, {0, 0, 0}, {0, 1, 0}, {{1, 1.0, up, true}}}};
+  EXPECT_EQ(countGaps(scene, coverage), 0);
+  coverage.push_back({2, 0, {0, -1, 0}, {0, 0, 0}, {{2, -1.0, up, true}}});
+  EXPECT_EQ(countGaps(scene, coverage), 1);  // no pin passes the frame between them
 }
 
 }  // namespace
