@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "layout/bent_beam.h"
+#include "layout/frame_beam.h"
 #include "layout/stack.h"
 
 namespace liftarm::design {
@@ -50,6 +51,7 @@ class Builder {
           const mechanisms::MechanismTable& table,
           const search::LayoutSnapshot& layout)
       : graph_(problem.graph),
+        sites_(problem.sites),
         table_(table),
         layout_(layout),
         components_(layout::findComponents(problem.graph, layout.covers)) {}
@@ -116,6 +118,22 @@ class Builder {
                       run.piece});
   }
 
+  //! A frame, from the bar on its lowest run.
+  void addFrame(int runId, const Beam& bar) {
+    const layout::FrameSite& site = sites_[at(bar.site)];
+    if (site.arms.front().run != runId) {
+      return;
+    }
+    const std::string& part = layout::frameBeams()[at(site.frame)].part;
+    const Vec3 shift = static_cast<double>(bar.layer) * lattice::unitVector(site.axis);
+    parts_.push_back({part,
+                      catalogued(part).color,
+                      {site.pose.position + shift, site.pose.rotation},
+                      components_.ofRun[at(runId)],
+                      bar.layer,
+                      graph_.runs[at(runId)].piece});
+  }
+
   void addMechanism(const mechanisms::Mechanism& mechanism, Vec3 origin, int piece, bool turning) {
     for (const mechanisms::MechanismPart& member : mechanism.parts) {
       const std::string id = turning ? withoutFriction(member.id) : member.id;
@@ -132,7 +150,9 @@ class Builder {
     const guide::GuideRun& run = graph_.runs[at(runId)];
     const Cover& cover = layout_.covers[at(runId)];
     for (const Beam& beam : cover.beams) {
-      if (beam.mate < 0) {
+      if (beam.site >= 0) {
+        addFrame(runId, beam);
+      } else if (beam.mate < 0) {
         addBeam(runId, beam);
       } else if (runId < beam.mate) {
         addBent(runId, beam);
@@ -206,6 +226,7 @@ class Builder {
   }
 
   const guide::GuidingGraph& graph_;
+  const std::vector<layout::FrameSite>& sites_;
   const mechanisms::MechanismTable& table_;
   const search::LayoutSnapshot& layout_;
   layout::Components components_;

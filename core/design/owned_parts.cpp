@@ -5,6 +5,7 @@
 
 #include "design/model_builder.h"
 #include "layout/bent_beam.h"
+#include "layout/frame_beam.h"
 #include "parts/catalogue.h"
 
 namespace liftarm::design {
@@ -66,6 +67,17 @@ base::Result<bool> limitSearch(Settings* settings) {
     }
   }
   annealing.bends = bends;
+  std::vector<int> frames;
+  for (const int form : annealing.frames) {
+    const auto limit = owned.find(layout::frameBeams()[static_cast<std::size_t>(form)].part);
+    if (limit == owned.end() || limit->second > 0) {
+      frames.push_back(form);
+      if (limit != owned.end()) {
+        annealing.supply.frames.emplace_back(form, limit->second);
+      }
+    }
+  }
+  annealing.frames = frames;
   std::vector<std::string> connectors;
   for (const std::string& id : settings->connectors) {
     const auto limit = owned.find(id);

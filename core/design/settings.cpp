@@ -78,8 +78,9 @@ struct SwitchKey {
   bool search::SearchParts::*part;
 };
 
-constexpr std::array<SwitchKey, 12> kSwitchKeys{{
+constexpr std::array<SwitchKey, 13> kSwitchKeys{{
     {"search.corners", &search::SearchParts::corners},
+    {"search.frames", &search::SearchParts::frames},
     {"search.focus", &search::SearchParts::focus},
     {"search.pairs", &search::SearchParts::pairs},
     {"search.many", &search::SearchParts::many},
@@ -133,22 +134,54 @@ std::string textOf(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-base::Result<bool> applyBent(Settings* settings, const std::vector<std::string>& items) {
-  std::vector<int> bends;
+//! Parts of one kind by their index. \param kind What they are called.
+base::Result<std::vector<int>> readForms(const std::string& key,
+                                         const std::string& kind,
+                                         const std::vector<std::string>& parts,
+                                         const std::vector<std::string>& items) {
+  std::vector<int> forms;
   for (const std::string& id : items) {
-    const int form = layout::bentBeamIndex(id);
-    if (form < 0) {
+    const auto found = std::find(parts.begin(), parts.end(), id);
+    if (found == parts.end()) {
       std::string known;
-      for (const layout::BentBeam& bent : layout::bentBeams()) {
-        known += (known.empty() ? "" : ", ") + bent.part;
+      for (const std::string& part : parts) {
+        known += (known.empty() ? "" : ", ") + part;
       }
-      return invalid("set.bent: " + id + " is no bent beam; use some of " + known);
+      return invalid("set." + key + ": " + id + " is no " + kind + "; use some of " + known);
     }
-    bends.push_back(form);
+    forms.push_back(static_cast<int>(found - parts.begin()));
   }
-  std::sort(bends.begin(), bends.end());
-  bends.erase(std::unique(bends.begin(), bends.end()), bends.end());
-  settings->annealing.bends = bends;
+  std::sort(forms.begin(), forms.end());
+  forms.erase(std::unique(forms.begin(), forms.end()), forms.end());
+  return forms;
+}
+
+std::vector<std::string> bentParts() {
+  std::vector<std::string> parts;
+  for (const layout::BentBeam& bent : layout::bentBeams()) {
+    parts.push_back(bent.part);
+  }
+  return parts;
+}
+
+std::vector<std::string> frameParts() {
+  std::vector<std::string> parts;
+  for (const layout::FrameBeam& frame : layout::frameBeams()) {
+    parts.push_back(frame.part);
+  }
+  return parts;
+}
+
+base::Result<bool> applyForms(Settings* settings,
+                              const std::string& key,
+                              const std::vector<std::string>& items) {
+  const bool bent = key == "bent";
+  base::Result<std::vector<int>> forms =
+      readForms(key, bent ? "bent beam" : "frame", bent ? bentParts() : frameParts(), items);
+  if (!forms.ok()) {
+    return forms.error();
+  }
+  (bent ? settings->annealing.bends : settings->annealing.frames) = std::move(forms).value();
   return true;
 }
 
@@ -171,8 +204,8 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
     settings->connectors = items;
     return true;
   }
-  if (key == "bent") {
-    return applyBent(settings, items);
+  if (key == "bent" || key == "frames") {
+    return applyForms(settings, key, items);
   }
   const std::vector<int> known{2, 3, 5, 6, 7, 9, 11, 13, 15};
   std::vector<int> lengths;
@@ -195,7 +228,7 @@ base::Result<bool> applyList(Settings* settings, const std::string& key, const j
 }
 
 std::string knownKeys() {
-  std::string keys = "bent, connectors, lengths, owned.PARTID";
+  std::string keys = "bent, connectors, frames, lengths, owned.PARTID";
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
@@ -209,7 +242,7 @@ std::string knownKeys() {
 }
 
 base::Result<bool> applyKey(Settings* settings, const std::string& key, const json& value) {
-  if (key == "bent" || key == "connectors" || key == "lengths") {
+  if (key == "bent" || key == "connectors" || key == "frames" || key == "lengths") {
     return applyList(settings, key, value);
   }
   const double number = numberOf(value);
@@ -334,6 +367,10 @@ std::string settingsJson(const Settings& settings) {
   for (const int form : a.bends) {
     bent.push_back(layout::bentBeams()[static_cast<std::size_t>(form)].part);
   }
+  json frames = json::array();
+  for (const int form : a.frames) {
+    frames.push_back(layout::frameBeams()[static_cast<std::size_t>(form)].part);
+  }
   json parts = json::object();
   for (const SwitchKey& key : kSwitchKeys) {
     parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
@@ -348,6 +385,7 @@ std::string settingsJson(const Settings& settings) {
               {"mechanismParts", settings.mechanismParts},
               {"lengths", a.lengths},
               {"bent", bent},
+              {"frames", frames},
               {"connectors", settings.connectors},
               {"paper.coolingRate", settings.paper.coolingRate},
               {"search", parts},

@@ -1,6 +1,7 @@
 #include "layout/beam.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace liftarm::layout {
 
@@ -14,7 +15,7 @@ InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b) 
   for (int i = first; i <= last; ++i) {
     const bool junction = std::find(run.junctionIndices.begin(), run.junctionIndices.end(), i) !=
                           run.junctionIndices.end();
-    if (!junction) {
+    if (!junction && a.hasHoleAt(i) && b.hasHoleAt(i)) {
       pins.nodes[pins.count == 0 ? 0 : 1] = i;
       pins.count = std::min(pins.count + 1, 2);
     }
@@ -49,6 +50,27 @@ int cornerIndex(const guide::GuidingGraph& graph, int run, int mate) {
   const guide::GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
   const int place = meetingPlace(graph, guideRun, mate);
   return place < 0 ? -1 : guideRun.junctionIndices[static_cast<std::size_t>(place)];
+}
+
+int sharedHoles(const Beam& a, const Beam& b) {
+  const int first = std::max(a.start, b.start);
+  const int last = std::min(a.last(), b.last());
+  if ((a.crossed | b.crossed) == 0U) {
+    return last - first + 1;
+  }
+  int holes = 0;
+  for (int i = first; i <= last; ++i) {
+    holes += a.hasHoleAt(i) && b.hasHoleAt(i) ? 1 : 0;
+  }
+  return holes;
+}
+
+lattice::Axis axisAcross(const guide::GuideRun& run, lattice::Axis axis) {
+  int along = 0;
+  for (int k = 0; k < 3; ++k) {
+    along = std::abs(run.direction[k]) > 0.5 ? k : along;
+  }
+  return lattice::axisFromIndex(3 - along - lattice::index(axis));
 }
 
 int partsOfBeam(int holes) {

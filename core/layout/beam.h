@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "guide/guiding_graph.h"
@@ -11,7 +12,7 @@ namespace liftarm::layout {
 
 //! \brief A beam in use on a run: round holes at the run's nodes start .. start + holes - 1. It may
 //! stick out past the run's ends by one module. It may be one arm of a bent beam, whose other arm
-//! is on run `mate`.
+//! is on run `mate`, or one bar of a frame, whose others are on the other runs of its site.
 struct Beam {
   int start = 0;
   int holes = 2;
@@ -19,6 +20,19 @@ struct Beam {
   int mate = -1;
   int form = -1;  //!< arms: index of the bent beam (layout/bent_beam.h)
   int tail = 0;   //!< arms that end in an axle hole: on which side of the holes it is, -1 or 1
+  int site = -1;  //!< bars of frames: index of the place (layout/frame_sites.h)
+  //! Bit i: the hole at node start + i goes across the bar in the frame's plane.
+  std::uint32_t crossed = 0;
+
+  [[nodiscard]] bool isArm() const { return mate >= 0 || site >= 0; }
+
+  [[nodiscard]] bool reaches(int node) const { return start <= node && node <= last(); }
+
+  //! \brief Whether there is a hole along the cover's axis.
+  [[nodiscard]] bool hasHoleAt(int node) const {
+    return reaches(node) &&
+           (crossed == 0 || (crossed >> static_cast<unsigned>(node - start) & 1U) == 0U);
+  }
 
   [[nodiscard]] int last() const { return start + holes - 1; }
 
@@ -30,7 +44,7 @@ struct Beam {
 
   friend bool operator==(const Beam& a, const Beam& b) {
     return a.start == b.start && a.holes == b.holes && a.layer == b.layer && a.mate == b.mate &&
-           a.form == b.form && a.tail == b.tail;
+           a.form == b.form && a.tail == b.tail && a.site == b.site;
   }
 };
 
@@ -60,7 +74,8 @@ inline Stadium stadiumOf(const guide::GuidingGraph& graph,
                          const Beam& beam) {
   return {holePosition(graph, run, axis, beam.solidStart(), beam.layer),
           holePosition(graph, run, axis, beam.solidLast(), beam.layer),
-          axis};
+          axis,
+          beam.site >= 0 ? kFrameRadius : kBeamRadius};
 }
 
 //! \brief Up to two node indices of a run, ascending.
@@ -77,14 +92,20 @@ struct InlinePins {
   }
 };
 
-//! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those that
-//! both have and that are no junction (junctions are pinned by their own group), the first and the
-//! last. \return None when all shared nodes are junctions.
+//! \brief Nodes at which two consecutive beams of a run are pinned to each other: of those where
+//! both have a hole and that are no junction (junctions are pinned by their own group), the first
+//! and the last. \return None when all shared nodes are junctions.
 InlinePins inlinePins(const guide::GuideRun& run, const Beam& a, const Beam& b);
 
-//! \brief Whether two beams are the arms of one bent beam.
+//! \brief Nodes at which two beams of a run both have a hole along its hole axis.
+int sharedHoles(const Beam& a, const Beam& b);
+
+//! \brief The axis of holes that go across a bar of a frame in its plane.
+lattice::Axis axisAcross(const guide::GuideRun& run, lattice::Axis axis);
+
+//! \brief Whether two beams are arms of one bent beam or bars of one frame.
 inline bool isOneBeam(int runA, const Beam& a, int runB, const Beam& b) {
-  return a.mate == runB && b.mate == runA;
+  return (a.mate == runB && b.mate == runA) || (a.site >= 0 && a.site == b.site);
 }
 
 //! \brief Where two runs meet, or -1.

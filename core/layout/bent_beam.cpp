@@ -95,7 +95,7 @@ lattice::Pose poseOf(const BentBeam& bent, Vec3 corner, Vec3 first, Vec3 second)
 std::vector<Beam> armsOf(const Cover& cover) {
   std::vector<Beam> arms;
   for (const Beam& beam : cover.beams) {
-    if (beam.mate >= 0) {
+    if (beam.isArm()) {
       arms.push_back(beam);
     }
   }

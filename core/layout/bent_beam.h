@@ -45,7 +45,7 @@ lattice::Pose poseOf(const BentBeam& bent,
                      lattice::Vec3 first,
                      lattice::Vec3 second);
 
-//! \brief The arms of bent beams in a cover.
+//! \brief The arms of bent beams and the bars of frames in a cover.
 std::vector<Beam> armsOf(const Cover& cover);
 
 //! \brief One way in which a bent beam lies on two runs.

@@ -31,6 +31,7 @@ LayoutProblem makeLayoutProblem(guide::GuidingGraph graph, bool spacers) {
                                                                     static_cast<int>(v));
     }
   }
+  problem.sites = findFrameSites(graph, problem.views, problem.seenBy);
   problem.graph = std::move(graph);
   return problem;
 }
@@ -50,22 +51,30 @@ Layout::Layout(const LayoutProblem& problem, ConnectionSolver& solver)
   }
 }
 
+BeamShare Layout::shareOf(int run, const Beam& beam) const {
+  if (beam.site >= 0) {
+    const FrameSite& site = problem_->sites[at(beam.site)];
+    return {site.arms.front().run == run ? 1 : 0, armOn(site, run).own};
+  }
+  if (beam.mate >= 0) {
+    return beam.mate < run ? BeamShare{0, beam.holes - 1} : BeamShare{1, beam.holes};
+  }
+  return {partsOfBeam(beam.holes), beam.holes};
+}
+
 void Layout::addRun(const RunState& state, int run, int sign) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   for (std::size_t b = 0; b < state.cover.beams.size(); ++b) {
     const Beam& beam = state.cover.beams[b];
-    // Of a bent beam's arms the one on the lower run counts the beam, the other leaves out the
-    // corner.
-    const bool second = beam.mate >= 0 && beam.mate < run;
-    const int holes = second ? beam.holes - 1 : beam.holes;
-    tallies_.beams += second ? 0 : sign * (beam.mate >= 0 ? 1 : partsOfBeam(beam.holes));
+    const auto [parts, holes] = shareOf(run, beam);
+    tallies_.beams += sign * parts;
     tallies_.holes += sign * holes;
     tallies_.layerSquares += sign * holes * beam.layer * beam.layer;
     tallies_.overhang += sign * ((beam.solidStart() < 0 ? 1 : 0) +
                                  (beam.solidLast() > guideRun.edgeCount() ? 1 : 0));
     if (b > 0) {
       const Beam& before = state.cover.beams[b - 1];
-      const int shared = before.last() - beam.start + 1;
+      const int shared = sharedHoles(before, beam);
       const auto pins = inlinePins(guideRun, before, beam).count;
       tallies_.hinges += sign * (shared == 1 ? 1 : 0);
       tallies_.connectors += sign * pins;
@@ -123,6 +132,11 @@ int Layout::forbiddenOf(int run, const Cover& cover) const {
   int count = 0;
   for (const Beam& beam : cover.beams) {
     count += exact && beam.layer != 0 ? beam.holes : 0;
+  }
+  for (std::size_t b = 1; b < cover.beams.size(); ++b) {
+    const Beam& before = cover.beams[b - 1];
+    const bool overlap = before.last() >= cover.beams[b].start;
+    count += overlap && sharedHoles(before, cover.beams[b]) == 0 ? 1 : 0;
   }
   if (!graph.ground && graph.keepOut.empty()) {
     return count;
@@ -293,7 +307,7 @@ void Layout::countStack(int junction, JunctionState* state) const {
   for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
     const Cover& cover = runs_[at(incidence.run)].cover;
     for (const Beam& beam : cover.beams) {
-      if (beam.start <= incidence.index && beam.last() >= incidence.index) {
+      if (beam.hasHoleAt(incidence.index)) {
         layers[at(lattice::index(cover.axis))] |=
             1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
       }

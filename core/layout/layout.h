@@ -7,6 +7,7 @@
 #include "guide/guiding_graph.h"
 #include "layout/beam.h"
 #include "layout/connection_solver.h"
+#include "layout/frame_sites.h"
 #include "layout/local_view.h"
 
 namespace liftarm::layout {
@@ -14,13 +15,15 @@ namespace liftarm::layout {
 //! \brief Sums over a layout, kept up to date by every edit; the objective's terms are made of
 //! them.
 struct Tallies {
-  int beams = 0;              //!< real beam parts (4 and 6 holes count two)
-  int holes = 0;              //!< total length, in holes (paper 4.3, sum of L)
-  int layerSquares = 0;       //!< sum of holes times layer squared (paper 4.3, F_dev)
-  int overhang = 0;           //!< beam ends past the end of their run
-  int hinges = 0;             //!< beams in line that share one hole only (FINDINGS 5)
-  int collisions = 0;         //!< pairs of beams that interpenetrate
-  int forbidden = 0;          //!< holes below the ground, in a keep-out box or off an exact line
+  int beams = 0;         //!< real beam parts (4 and 6 holes count two)
+  int holes = 0;         //!< total length, in holes (paper 4.3, sum of L)
+  int layerSquares = 0;  //!< sum of holes times layer squared (paper 4.3, F_dev)
+  int overhang = 0;      //!< beam ends past the end of their run
+  int hinges = 0;        //!< beams in line that share one hole only (FINDINGS 5)
+  int collisions = 0;    //!< pairs of beams that interpenetrate
+  //! Holes below the ground, in a keep-out box or off an exact line, and beams in line that overlap
+  //! where they have no hole in common.
+  int forbidden = 0;
   int gaps = 0;               //!< empty layers within stacks (DESIGN 7)
   int overfull = 0;           //!< beams beyond three in one stack
   int failedConnections = 0;  //!< clusters left at junctions, minus one each (DESIGN 7)
@@ -67,10 +70,18 @@ struct LayoutProblem {
   bool spacers = true;           //!< whether gaps in stacks may be filled
   std::vector<LocalView> views;  //!< by junction
   std::vector<std::vector<std::pair<int, int>>>
-      seenBy;  //!< by run: (junction, index of its RunView)
+      seenBy;                    //!< by run: (junction, index of its RunView)
+  std::vector<FrameSite> sites;  //!< where frames may lie
 };
 
 LayoutProblem makeLayoutProblem(guide::GuidingGraph graph, bool spacers = true);
+
+//! \brief What one beam of a run counts for: a bent beam or a frame lies on several runs, of which
+//! the lowest counts it, and nodes where its arms meet count once.
+struct BeamShare {
+  int parts = 0;
+  int holes = 0;
+};
 
 //! \brief The placements in use with their layers, and the mechanisms that join them.
 //! \details Edits are grouped: change covers, settle(), look at tallies(), then keep() or revert().
@@ -141,11 +152,17 @@ class Layout {
   void addJunction(const JunctionState& state, int junction, int sign);
   [[nodiscard]] int collisionsWith(int run, const Cover& cover, int other) const;
   [[nodiscard]] int forbiddenOf(int run, const Cover& cover) const;
+  [[nodiscard]] BeamShare shareOf(int run, const Beam& beam) const;
+  [[nodiscard]] bool hasFrameAt(int junction) const;
   void changeCollisions(int run, int delta);
   void solveJunction(int junction);
   void giveWay(int junction);
   bool fillProblem(int junction);
   void fillRun(const RunView& view);
+  void fillFrame(const RunView& view,
+                 const Beam& bar,
+                 const InlinePins& before,
+                 const InlinePins& after);
   bool fillOthers(int junction);
   void fillSpacersOf(const JunctionView& other);
   void findStale();

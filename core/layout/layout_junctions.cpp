@@ -155,6 +155,10 @@ void Layout::fillRun(const RunView& view) {
       }
     }
     const Cell shift = scaled(beam.layer, axisStep);
+    if (beam.site >= 0) {
+      fillFrame(view, beam, pinned.before, pinned.after);
+      continue;
+    }
     // The corner of a bent beam is one hole: the arm on the lower run brings it.
     const bool second = beam.mate >= 0 && beam.mate < view.run;
     const int corner = second ? cornerIndex(problem_->graph, view.run, beam.mate) : -2;
@@ -309,7 +313,7 @@ bool Layout::plainStack(int junction, Connection* connection) const {
     for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
       index = incidence.run == run ? incidence.index : index;
     }
-    if (runs_[at(run)].cover.axis != axis || beam.start > index || beam.last() < index) {
+    if (runs_[at(run)].cover.axis != axis || !beam.hasHoleAt(index)) {
       return false;
     }
     low = std::min(low, beam.layer);

@@ -36,6 +36,7 @@ std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.layer + 64));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.mate + 1));
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.tail + 1));
+    hash = beam.site < 0 ? hash : base::mixHash(hash, static_cast<std::uint64_t>(beam.site));
   }
   return hash;
 }
@@ -79,7 +80,7 @@ double Layout::clearStale() {
     JunctionState& state = junctions_[at(junction)];
     addJunction(state, junction, -1);
     const bool several = problem_->graph.junctions[at(junction)].incident.size() > 1;
-    openCosts_.push_back(several && !state.leans ? 1.0 : 0.0);
+    openCosts_.push_back(several && !state.leans && !hasFrameAt(junction) ? 1.0 : 0.0);
     open += openCosts_.back();
     unsolve(&state);
     countStack(junction, &state);

@@ -51,7 +51,7 @@ bool overlapSameAxis(const Stadium& a, const Stadium& b) {
   if (std::abs(a.from[k] - b.from[k]) >= 2.0 * kBeamHalfThickness - kContactTolerance) {
     return false;
   }
-  const double reach = 2.0 * kBeamRadius - kContactTolerance;
+  const double reach = a.radius + b.radius - kContactTolerance;
   return squaredSegmentDistance(across(a.from, a.axis),
                                 across(a.to, a.axis),
                                 across(b.from, b.axis),
@@ -60,12 +60,12 @@ bool overlapSameAxis(const Stadium& a, const Stadium& b) {
 
 //! Height of the stadium's upper outline over position s; the outline is the highest of both round
 //! ends and of the straight flank between them.
-double upperOutline(Point2 a, Point2 b, double s) {
+double upperOutline(Point2 a, Point2 b, double radius, double s) {
   double best = -1e30;
   for (const Point2 end : {a, b}) {
     const double d = s - end.u;
-    if (d > -kBeamRadius && d < kBeamRadius) {
-      best = std::max(best, end.v + std::sqrt(kBeamRadius * kBeamRadius - d * d));
+    if (d > -radius && d < radius) {
+      best = std::max(best, end.v + std::sqrt(radius * radius - d * d));
     }
   }
   const double du = b.u - a.u;
@@ -73,8 +73,8 @@ double upperOutline(Point2 a, Point2 b, double s) {
   const double span = std::sqrt(du * du + dv * dv);
   if (span > 0.0 && (du > 1e-12 || du < -1e-12)) {
     const double sign = du > 0.0 ? 1.0 : -1.0;
-    const double nu = -dv / span * sign * kBeamRadius;
-    const double nv = du / span * sign * kBeamRadius;
+    const double nu = -dv / span * sign * radius;
+    const double nv = du / span * sign * radius;
     const double t = (s - nu - a.u) / du;
     if (t >= 0.0 && t <= 1.0) {
       best = std::max(best, a.v + nv + t * dv);
@@ -85,8 +85,8 @@ double upperOutline(Point2 a, Point2 b, double s) {
 
 //! Highest v that the stadium reaches for u in [low, high]; very low when it does not reach the
 //! strip.
-double highest(Point2 a, Point2 b, double low, double high) {
-  if (std::max(a.u, b.u) + kBeamRadius <= low || std::min(a.u, b.u) - kBeamRadius >= high) {
+double highest(Point2 a, Point2 b, double radius, double low, double high) {
+  if (std::max(a.u, b.u) + radius <= low || std::min(a.u, b.u) - radius >= high) {
     return -1e30;
   }
   const Point2 top = a.v >= b.v ? a : b;
@@ -94,9 +94,9 @@ double highest(Point2 a, Point2 b, double low, double high) {
   const double topLow = level ? std::min(a.u, b.u) : top.u;
   const double topHigh = level ? std::max(a.u, b.u) : top.u;
   if (topHigh >= low && topLow <= high) {
-    return top.v + kBeamRadius;
+    return top.v + radius;
   }
-  return upperOutline(a, b, topHigh < low ? low : high);
+  return upperOutline(a, b, radius, topHigh < low ? low : high);
 }
 
 bool overlapCrossed(const Stadium& a, const Stadium& b) {
@@ -109,10 +109,10 @@ bool overlapCrossed(const Stadium& a, const Stadium& b) {
   const Point2 b0{b.from[k], b.from[m]};
   const Point2 b1{b.to[k], b.to[m]};
   const auto flipped = [](Point2 p) { return Point2{p.u, -p.v}; };
-  const double highA = highest(a0, a1, b.from[j] - h, b.from[j] + h);
-  const double lowA = -highest(flipped(a0), flipped(a1), b.from[j] - h, b.from[j] + h);
-  const double highB = highest(b0, b1, a.from[k] - h, a.from[k] + h);
-  const double lowB = -highest(flipped(b0), flipped(b1), a.from[k] - h, a.from[k] + h);
+  const double highA = highest(a0, a1, a.radius, b.from[j] - h, b.from[j] + h);
+  const double lowA = -highest(flipped(a0), flipped(a1), a.radius, b.from[j] - h, b.from[j] + h);
+  const double highB = highest(b0, b1, b.radius, a.from[k] - h, a.from[k] + h);
+  const double lowB = -highest(flipped(b0), flipped(b1), b.radius, a.from[k] - h, a.from[k] + h);
   return std::min(highA, highB) - std::max(lowA, lowB) > kContactTolerance;
 }
 

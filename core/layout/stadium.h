@@ -4,16 +4,18 @@
 
 namespace liftarm::layout {
 
-//! \brief The solid of a straight beam: all points within `kBeamRadius` of a segment, measured
-//! across the hole axis, and within half a module along it. Exact for real beams, on and off the
-//! lattice.
+inline constexpr double kBeamRadius = 0.45;
+inline constexpr double kFrameRadius = 0.5;  // bars of frames are as wide as they are thick
+
+//! \brief The solid of a straight beam: all points within its radius of a segment, measured across
+//! the hole axis, and within half a module along it. Exact for real beams, on and off the lattice.
 struct Stadium {
   lattice::Vec3 from;  //!< first hole
   lattice::Vec3 to;    //!< last hole
   lattice::Axis axis;  //!< of the holes; from and to agree along it
+  double radius = kBeamRadius;
 };
 
-inline constexpr double kBeamRadius = 0.45;
 inline constexpr double kBeamHalfThickness = 0.5;
 
 //! Solids that touch, or enter each other by less than this, do not collide.

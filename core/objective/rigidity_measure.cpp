@@ -164,10 +164,11 @@ class Measure {
       std::vector<int> bodies;
       for (const layout::Beam& beam : cover.beams) {
         bodies.push_back(bodies_.add(true));
+        mergeArm(static_cast<int>(r), beam, bodies.back());
         for (int i = beam.start; i <= beam.last(); ++i) {
           holes_.add({bodies.back(),
                       FeatureKind::kPinHole,
-                      cover.axis,
+                      beam.hasHoleAt(i) ? cover.axis : layout::axisAcross(run, cover.axis),
                       layout::holePosition(graph_, run, cover.axis, i, beam.layer)});
         }
       }
@@ -223,6 +224,17 @@ class Measure {
     }
   }
 
+  //! The arms of a bent beam and the bars of a frame are one body.
+  void mergeArm(int run, const layout::Beam& beam, int body) {
+    if (!beam.isArm()) {
+      return;
+    }
+    const bool frame = beam.site >= 0;
+    const std::array<int, 3> key{
+        beam.site, frame ? 0 : std::min(run, beam.mate), frame ? 0 : std::max(run, beam.mate)};
+    bodies_.merge(body, arms_.emplace(key, body).first->second);
+  }
+
   //! Joins all bodies whose holes one part's heads fill: to the part, or to each other when it is a
   //! pin.
   void addHeads(const mechanisms::MechanismPart& member, Vec3 origin, int body) {
@@ -253,6 +265,7 @@ class Measure {
 
   const guide::GuidingGraph& graph_;
   Bodies bodies_;
+  std::map<std::array<int, 3>, int> arms_;  // body of each frame by site, of each bent beam by runs
   SlotIndex holes_;
 };
 

@@ -71,6 +71,7 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
     fewestBeams_.push_back(guide::fewestBeams(problem.graph, run));
   }
   softWeights_[*objective::termIndex("violations")] = 0.0;
+  findUsefulSites();
 }
 
 double Annealer::plainEnergy(const layout::Tallies& tallies, int freedoms) const {

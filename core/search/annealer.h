@@ -7,6 +7,7 @@
 
 #include "base/rng.h"
 #include "layout/bent_beam.h"
+#include "layout/frame_beam.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
 #include "search/earlier_layout.h"
@@ -21,6 +22,7 @@ namespace liftarm::search {
 //! (docs/ablations.md).
 struct SearchParts {
   bool corners = true;   //!< bent beams
+  bool frames = true;    //!< frames
   bool focus = true;     //!< most moves at violated places
   bool pairs = true;     //!< moves that cover two runs anew
   bool many = true;      //!< ruin and recreate of several runs
@@ -45,7 +47,8 @@ struct AnnealingOptions {
   SearchParts parts;
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
-  std::vector<int> bends = layout::allBentBeams();  //!< bent beams that may be laid
+  std::vector<int> bends = layout::allBentBeams();    //!< bent beams that may be laid
+  std::vector<int> frames = layout::allFrameBeams();  //!< frames that may be laid
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
   //! Layout of a sketch that this one came from: what still fits stays as it lies, and only what
   //! was touched is searched. Where that does not end whole, or takes many more beams, the search
@@ -117,7 +120,13 @@ class Annealer final : public LayoutSearch {
   [[nodiscard]] int pickCostlyRun();
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
   bool straighten(int run, double noise);
+  bool takeFrameOff(int run, int site, double noise);
   bool bend(int run, double noise);
+  void findUsefulSites();
+  bool layFrame(double noise);
+  [[nodiscard]] bool mayLieAt(const layout::FrameSite& site) const;
+  void takeOff(int run, const layout::Beam& arm, std::vector<int>* bare);
+  void followCrossing(const std::vector<int>& covered, double noise);
   [[nodiscard]] std::optional<lattice::Axis> bendAxis(int run, int mate) const;
   [[nodiscard]] double energy();
   [[nodiscard]] double plainEnergy(const layout::Tallies& tallies, int freedoms) const;
@@ -177,6 +186,7 @@ class Annealer final : public LayoutSearch {
   std::vector<int> fewestBeams_;  // by run: a lower bound
   std::vector<int> sites_;
   std::vector<layout::Bend> bends_;  // that fit, of one move
+  std::vector<int> frameSites_;      // where a frame may save beams
   int site_ = -1;                    // violated junction that the last pick came from
 };
 

@@ -1,14 +1,13 @@
 #include <algorithm>
 
-#include "guide/beam_bound.h"
 #include "search/annealer.h"
+#include "search/arm_costs.h"
 
 namespace liftarm::search {
 
 namespace {
 
 constexpr double kPickCheapBend = 0.75;  // of these: those that leave the fewest beams beside it
-constexpr double kSticksOut = 0.2;       // beams
 constexpr std::uint32_t kMostFollowers = 7;
 constexpr double kNone = 1e300;
 
@@ -20,33 +19,17 @@ std::size_t at(int i) {
 std::vector<layout::Beam> withoutMates(const std::vector<layout::Beam>& beams, int mate) {
   std::vector<layout::Beam> rest;
   for (const layout::Beam& beam : beams) {
-    if (beam.mate < 0 || (mate != -2 && beam.mate != mate)) {
+    if (!beam.isArm() || (mate != -2 && beam.mate != mate)) {
       rest.push_back(beam);
     }
   }
   return rest;
 }
 
-//! Beams that the rest of a run needs beside an arm, about; sticking out counts a little.
-double beamsBeside(const layout::Beam& arm, int edges) {
-  const auto beams = [](int left) {
-    return left <= 0 ? 0 : (left + guide::kLongestBeam - 1) / guide::kLongestBeam;
-  };
-  const int past = (arm.solidStart() < 0 ? 1 : 0) + (arm.solidLast() > edges ? 1 : 0);
-  return static_cast<double>(beams(arm.start) + beams(edges - arm.last())) +
-         kSticksOut * static_cast<double>(past);
-}
-
-//! Whether an arm would share a node with one of these.
-bool meetsAny(const layout::Beam& arm, const std::vector<layout::Beam>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const layout::Beam& other) {
-    return arm.solidStart() <= other.solidLast() && arm.solidLast() >= other.solidStart();
-  });
-}
-
 }  // namespace
 
-//! Takes the bent beams of a run out: it and the runs of their other arms are covered anew.
+//! Takes the bent beams and frames of a run out: it and the runs of their other arms are covered
+//! anew.
 bool Annealer::straighten(int run, double noise) {
   bool changed = false;
   const std::vector<layout::Beam> arms = layout::armsOf(layout_.run(run).cover);
@@ -54,6 +37,10 @@ bool Annealer::straighten(int run, double noise) {
   bare.beams = withoutMates(bare.beams, -2);
   layout_.setCover(run, bare);
   for (const layout::Beam& arm : arms) {
+    if (arm.site >= 0) {
+      changed = takeFrameOff(run, arm.site, noise) || changed;
+      continue;
+    }
     const layout::Cover& cover = layout_.run(arm.mate).cover;
     layout::Cover mate{cover.axis, withoutMates(cover.beams, run)};
     const std::vector<layout::Beam> kept = layout::armsOf(mate);

@@ -19,6 +19,7 @@ constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's laye
 constexpr double kPickBendStiff = 0.25;
 constexpr double kPickVariant = 0.5;  // share of moves of a stiffening round that change no beam
 constexpr double kPickBend = 0.12;    // share of moves that lay a bent beam
+constexpr double kPickFrame = 0.1;    // share of moves that lay a frame, where one may save beams
 constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
 constexpr double kNearLayers = 0.3;   // share of moves that use one layer on either side at most
 constexpr double kMoreLayers = 0.6;   // of the others: those that use two
@@ -139,7 +140,7 @@ bool Annealer::coverRun(int run,
   return changed;
 }
 
-//! Covers a run anew; its arms of bent beams stay, and then so does its hole axis.
+//! Covers a run anew; its arms of bent beams and frames stay, and then so does its hole axis.
 bool Annealer::recover(int run, double noise, double turning) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   lattice::Axis axis = layout_.run(run).cover.axis;
@@ -251,7 +252,9 @@ void Annealer::move() {
   const bool calm = grown_ && layout_.tallies().violations() == 0;
   const bool corner =
       !many && !calm && parts.corners && rng_.unit() < (stiffening_ ? kPickBendStiff : kPickBend);
-  const bool mirrored = !many && !corner && parts.mirrors && !calm && rng_.unit() < kPickMirror;
+  const bool framed = !many && !calm && !corner && !frameSites_.empty() && rng_.unit() < kPickFrame;
+  const bool mirrored =
+      !many && !corner && !framed && parts.mirrors && !calm && rng_.unit() < kPickMirror;
   const bool varied = mayVary() && rng_.unit() < kPickVariant;
   bool changed = false;
   if (varied) {
@@ -262,6 +265,8 @@ void Annealer::move() {
     changed = mirror(run, kMirrorNoise * noise);
   } else if (corner) {
     changed = bend(run, noise);
+  } else if (framed) {
+    changed = layFrame(noise);
   } else {
     changed = recover(run, noise);
     const int partner = parts.pairs && !calm && rng_.unit() < kPickTwo ? pickPartner(run) : -1;

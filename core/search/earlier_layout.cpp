@@ -133,9 +133,13 @@ EarlierLayout earlierLayout(const guide::GuidingGraph& graph,
   EarlierLayout earlier;
   for (std::size_t r = 0; r < covers.size(); ++r) {
     const guide::GuideRun& run = graph.runs[r];
+    const bool framed = std::any_of(covers[r].beams.begin(),
+                                    covers[r].beams.end(),
+                                    [](const layout::Beam& beam) { return beam.site >= 0; });
     earlier.push_back({graph.nodes[at(run.nodes.front())],
                        graph.nodes[at(run.nodes.back())],
-                       covers[r],
+                       // Places of frames are those of this sketch: the next one lays them anew.
+                       framed ? layout::Cover{covers[r].axis, {}} : covers[r],
                        meetsOf(graph, run)});
   }
   return earlier;

@@ -80,7 +80,7 @@ void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis ax
         continue;
       }
       for (const Beam& beam : cover.beams) {
-        if (beam.start <= incidence.index && beam.last() >= incidence.index) {
+        if (beam.hasHoleAt(incidence.index)) {
           others |= bit(beam.layer);
         }
       }
@@ -222,6 +222,21 @@ void RunCoverer::favourFixed() {
   }
 }
 
+//! Notes where no beam can be pinned to a fixed one.
+void RunCoverer::markCrossedHoles() {
+  crossed_.clear();
+  for (const Beam& fixed : fixed_) {
+    for (int node = fixed.start; node <= fixed.last() && fixed.crossed != 0; ++node) {
+      crossed_.resize(value_.size(), 0);
+      crossed_[at(stateOf(node, fixed.layer))] = fixed.hasHoleAt(node) ? 0 : 1;
+    }
+  }
+}
+
+bool RunCoverer::isCrossed(int node, int layer) const {
+  return !crossed_.empty() && crossed_[at(stateOf(node, layer))] != 0;
+}
+
 //! Marks the arms of bent beams in a cover; false when one is missing, or its axle hole's place is
 //! taken.
 bool RunCoverer::markFixed(Cover* cover) const {
@@ -251,6 +266,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   beamCost_.assign(at(2 * reach_ + 1) * at(edges_ + 2) * lengths_.size(), 0.0);
   value_.assign(at((edges_ + 3) * kLayerCount), kNever);
   choice_.assign(value_.size(), Choice{});
+  markCrossedHoles();
   mixed_.assign(at(edges_ + 4), 0);
   junctionPlaces_.assign(at(edges_ + 4), -1);
   otherLayers_.clear();
@@ -272,10 +288,17 @@ void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
       if (layer == fromLayer || (!bridged && layer != fromLayer - 1 && layer != fromLayer + 1)) {
         continue;
       }
-      joint += overlapFrom == previousLast ? costs_.hinge : 0.0;
+      int holes = 0;
+      for (int node = overlapFrom; node <= previousLast; ++node) {
+        holes += isCrossed(node, layer) || isCrossed(node, fromLayer) ? 0 : 1;
+      }
+      if (holes == 0) {
+        continue;
+      }
+      joint += holes == 1 ? costs_.hinge : 0.0;
       for (int node = overlapFrom; node <= previousLast; ++node) {
         const int place = junctionPlaces_[at(node + 1)];
-        if (place >= 0) {
+        if (place >= 0 && !isCrossed(node, layer) && !isCrossed(node, fromLayer)) {
           joint += stackCost(at(place), bit(layer) | bit(fromLayer)) -
                    stackCost(at(place), bit(layer)) - stackCost(at(place), bit(fromLayer));
         }

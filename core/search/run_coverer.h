@@ -39,8 +39,8 @@ class RunCoverer {
   std::optional<layout::Cover> propose(
       const layout::Layout& layout, int run, lattice::Axis axis, double noise, base::Rng* rng);
 
-  //! \brief Beams that the next proposals must contain as they are: arms of bent beams. Empty
-  //! again: none.
+  //! \brief Beams that the next proposals must contain as they are: arms of bent beams and bars of
+  //! frames. Empty again: none.
   void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
 
   //! \brief Highest layer, on either side, that the next proposals may use: fewer layers, less
@@ -73,6 +73,8 @@ class RunCoverer {
   void addBeamCosts(int run, lattice::Axis axis, double noise, base::Rng* rng);
   void favourFixed();
   [[nodiscard]] bool markFixed(layout::Cover* cover) const;
+  void markCrossedHoles();
+  [[nodiscard]] bool isCrossed(int node, int layer) const;
   void relax(int state, int start, int fromLayer, int overlapFrom);
   [[nodiscard]] double stackCost(std::size_t junctionPlace, unsigned own) const;
   [[nodiscard]] std::size_t beamIndex(int start, std::size_t length, int layer) const;
@@ -101,6 +103,7 @@ class RunCoverer {
   std::vector<double> value_;  // by state
   std::vector<Choice> choice_;
   std::vector<std::uint8_t> mixed_;    // by node index + 1: mechanisms may bridge an edge here
+  std::vector<std::uint8_t> crossed_;  // by state: a fixed beam's hole goes another way; or empty
   std::vector<int> junctionPlaces_;    // by node index + 1: place in the lists below, or -1
   std::vector<unsigned> otherLayers_;  // layers of other beams with this axis, by place
   std::vector<double> stackWeights_;   // by place

@@ -22,7 +22,8 @@ int beyond(int used, int owned) {
 
 SupplyCounter::SupplyCounter(Supply supply, const mechanisms::MechanismTable& table)
     : supply_(std::move(supply)), table_(&table) {
-  limited_ = !supply_.beams.empty() || !supply_.bent.empty() || !supply_.connectors.empty();
+  limited_ = !supply_.beams.empty() || !supply_.bent.empty() || !supply_.frames.empty() ||
+             !supply_.connectors.empty();
   for (std::size_t c = 0; c < supply_.connectors.size(); ++c) {
     if (supply_.connectors[c].first == kInlinePin) {
       inlinePin_ = static_cast<int>(c);
@@ -31,6 +32,24 @@ SupplyCounter::SupplyCounter(Supply supply, const mechanisms::MechanismTable& ta
       spacer_ = static_cast<int>(c);
     }
   }
+}
+
+//! Frames in use of each limited kind.
+std::vector<int> SupplyCounter::framesUsed(const layout::Layout& layout) const {
+  std::vector<int> used(supply_.frames.size(), 0);
+  const auto runs = static_cast<int>(layout.problem().graph.runs.size());
+  for (int run = 0; run < runs && !used.empty(); ++run) {
+    for (const layout::Beam& beam : layout.run(run).cover.beams) {
+      if (beam.site < 0) {
+        continue;
+      }
+      const layout::FrameSite& site = layout.problem().sites[at(beam.site)];
+      for (std::size_t f = 0; f < used.size() && site.arms.front().run == run; ++f) {
+        used[f] += supply_.frames[f].first == site.frame ? 1 : 0;
+      }
+    }
+  }
+  return used;
 }
 
 //! Parts in use by each limited length, and of each limited bent beam after these.
@@ -48,7 +67,7 @@ std::vector<int> SupplyCounter::beamsUsed(const layout::Layout& layout, int exce
         }
         continue;
       }
-      for (std::size_t b = 0; b < supply_.beams.size(); ++b) {
+      for (std::size_t b = 0; b < supply_.beams.size() && beam.site < 0; ++b) {
         used[b] += supply_.beams[b].holes == beam.holes ? layout::partsOfBeam(beam.holes) : 0;
       }
     }
@@ -80,6 +99,10 @@ int SupplyCounter::missing(const layout::Layout& layout) {
   }
   for (std::size_t b = 0; b < supply_.beams.size(); ++b) {
     missing += beyond(beams[b], supply_.beams[b].owned);
+  }
+  const std::vector<int> frames = framesUsed(layout);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    missing += beyond(frames[f], supply_.frames[f].second);
   }
   if (supply_.connectors.empty()) {
     return missing;

@@ -18,6 +18,7 @@ struct Supply {
 
   std::vector<Beams> beams;               //!< straight ones
   std::vector<std::pair<int, int>> bent;  //!< index of a bent beam (layout/bent_beam.h), and owned
+  std::vector<std::pair<int, int>> frames;  //!< index of a frame (layout/frame_beam.h), and owned
   std::vector<std::pair<std::string, int>> connectors;  //!< LDraw number, owned
 };
 
@@ -41,6 +42,7 @@ class SupplyCounter {
                                                 double cost) const;
 
  private:
+  [[nodiscard]] std::vector<int> framesUsed(const layout::Layout& layout) const;
   [[nodiscard]] std::vector<int> beamsUsed(const layout::Layout& layout, int exceptRun) const;
   [[nodiscard]] const std::vector<int>& connectorsOf(int oriented);
 

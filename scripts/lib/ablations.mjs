@@ -10,7 +10,13 @@ export const ABLATIONS = [
     key: 'corners',
     title: 'bent beams',
     set: ['search.corners=0'],
-    about: 'straight beams only.',
+    about: 'straight beams and frames only.',
+  },
+  {
+    key: 'frames',
+    title: 'frames',
+    set: ['search.frames=0'],
+    about: 'no frame covers lines: straight and bent beams only.',
   },
   {
     key: 'focus',

@@ -45,15 +45,22 @@ test('the statuses of C++ and TypeScript are the same, in the same order', () =>
 test('the page shows every part that the search builds with', () => {
   const { settings } = JSON.parse(module.contractJson());
   // With all but one of a kind switched off, what is left is said in full.
-  const all = [...settings.lengths.map(String), ...settings.bent, ...settings.connectors];
+  const all = [
+    ...settings.lengths.map(String),
+    ...settings.bent,
+    ...settings.frames,
+    ...settings.connectors,
+  ];
   const off = new Set(SET_PARTS);
-  const left = [settings.bent[0], settings.connectors[1]];
+  const left = [settings.bent[0], settings.frames[0], settings.connectors[1]];
   expect(brickSetSettings(new Set(SET_PARTS.filter((id) => !left.includes(id))))).toMatchObject({
     bent: settings.bent[0],
+    frames: settings.frames[0],
     connectors: `2780,${settings.connectors[1]}`,
   });
   expect(off.size).toBe(all.length);
-  expect([...settings.bent, ...settings.connectors].filter((id) => !off.has(id))).toEqual([]);
+  const named = [...settings.bent, ...settings.frames, ...settings.connectors];
+  expect(named.filter((id) => !off.has(id))).toEqual([]);
 });
 
 test('progress has exactly the fields that TypeScript names, with their types', () => {

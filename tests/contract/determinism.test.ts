@@ -27,6 +27,15 @@ test('a table that is to be stiff is the same in both, and stiff', () => {
   expect(native.report['buildable']).toBe(true);
 });
 
+test('a model with frames is the same in both', () => {
+  const native = solveWithCommand('cart', ['--seed', '1']);
+  const wasm = solveWithModule(module, exampleText('cart'), { seed: 1 });
+  expect(wasm.modelJson.trimEnd()).toBe(native.modelJson.trimEnd());
+  const parts = (JSON.parse(wasm.modelJson) as { parts: { part: string }[] }).parts;
+  expect(parts.some(({ part }) => ['14720', '64178', '64179'].includes(part))).toBe(true);
+  expect(native.report['buildable']).toBe(true);
+});
+
 test('the slices of the work do not change the model', () => {
   const sketch = exampleText('house');
   const fine = solveWithModule(module, sketch, { seed: 5 }, 7);

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/helpers/frame_sketches.h"
 #include "core/helpers/layouts.h"
+#include "layout/bent_beam.h"
 
 namespace liftarm::objective {
 namespace {
@@ -53,6 +55,30 @@ int subsets(const sketch::Sketch& sketch,
 
 TEST(RigidityMeasure, BeamsWithoutConnectionAreApart) {
   EXPECT_EQ(subsets(testing::lineSketch(8), {{Axis::kZ, {{0, 5, 0}, {5, 4, 0}}}}, {}), 2);
+}
+
+TEST(RigidityMeasure, ABentBeamAndAFrameAreOneBody) {
+  const LayoutBench corner(testing::cornerSketch(4));
+  std::vector<layout::Bend> bends;
+  layout::addBends(corner.problem.graph, layout::bentBeamIndex("32526"), 0, 1, 0, &bends);
+  ASSERT_FALSE(bends.empty());
+  EXPECT_EQ(
+      subsets(
+          testing::cornerSketch(4),
+          {{Axis::kZ, {bends.front().arm}}, {Axis::kZ, {bends.front().mateArm}}, {Axis::kX, {}}},
+          {}),
+      1);
+  const sketch::Sketch rectangle = testing::rectangleSketch(4, 6);
+  const LayoutBench bench(rectangle);
+  std::vector<Cover> covers(4);
+  for (const layout::FrameSite& site : bench.problem.sites) {
+    for (const layout::SiteArm& arm : site.arms) {
+      if (site.arms.size() == 4) {
+        covers[static_cast<std::size_t>(arm.run)] = {site.axis, {arm.beam}};
+      }
+    }
+  }
+  EXPECT_EQ(subsets(rectangle, covers, {}), 1);
 }
 
 TEST(RigidityMeasure, BeamsInLineOnOnePinTurn) {

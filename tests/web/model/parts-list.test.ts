@@ -45,8 +45,16 @@ describe('the brick set', () => {
     });
   });
 
+  it('leaves out the frames that are off', () => {
+    expect(brickSetSettings(new Set(['64179']))).toEqual({ frames: '14720,64178' });
+  });
+
   it('keeps the pin that nothing works without', () => {
-    expect(brickSetSettings(new Set(SET_PARTS))).toEqual({ bent: '', connectors: '2780' });
+    expect(brickSetSettings(new Set(SET_PARTS))).toEqual({
+      bent: '',
+      frames: '',
+      connectors: '2780',
+    });
   });
 
   it('adds up colours when it says what is missing', () => {

@@ -19,6 +19,9 @@ const BEAMS: readonly (readonly [number, string])[] = [
 /** L and T beams, and those bent by 53.13 degrees. */
 const BENT: readonly string[] = ['32140', '32271', '32348', '32526', '60484', '6629'];
 
+/** Beams of several bars: an H and two with an open middle. */
+const FRAMES: readonly string[] = ['14720', '64178', '64179'];
+
 /** Pins and what is joined with them; 18654 fills gaps in stacks. */
 const CONNECTORS: readonly string[] = [
   '2780',
@@ -35,16 +38,23 @@ const CONNECTORS: readonly string[] = [
 export const NEEDED_PARTS: ReadonlySet<string> = new Set(['2780']);
 
 /** All parts that can be switched, beams first, in the order in which they are shown. */
-export const SET_PARTS: readonly string[] = [...BEAMS.map(([, id]) => id), ...BENT, ...CONNECTORS];
+export const SET_PARTS: readonly string[] = [
+  ...BEAMS.map(([, id]) => id),
+  ...BENT,
+  ...FRAMES,
+  ...CONNECTORS,
+];
 
 /** The settings of the search for a brick set; none for the whole one. */
 export function brickSetSettings(off: ReadonlySet<string>): Readonly<Record<string, string>> {
   const lengths = BEAMS.filter(([, id]) => !off.has(id)).map(([length]) => length);
   const bent = BENT.filter((id) => !off.has(id));
+  const frames = FRAMES.filter((id) => !off.has(id));
   const connectors = CONNECTORS.filter((id) => NEEDED_PARTS.has(id) || !off.has(id));
   return {
     ...(lengths.length < BEAMS.length && lengths.length > 0 ? { lengths: lengths.join() } : {}),
     ...(bent.length < BENT.length ? { bent: bent.join() } : {}),
+    ...(frames.length < FRAMES.length ? { frames: frames.join() } : {}),
     ...(connectors.length < CONNECTORS.length ? { connectors: connectors.join() } : {}),
   };
 }

@@ -1,0 +1,113 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/helpers/frame_sketches.h"
+#include "design/design_session.h"
+#include "model/model_json.h"
+#include "sketch/sketch_json.h"
+
+namespace liftarm::design {
+namespace {
+
+using nlohmann::json;
+
+struct Solved {
+  json report;
+  model::Model model;
+
+  [[nodiscard]] int count(const std::string& part) const {
+    return static_cast<int>(std::count_if(
+        model.parts.begin(), model.parts.end(), [&](const auto& p) { return p.part == part; }));
+  }
+
+  [[nodiscard]] int frames() const { return count("14720") + count("64178") + count("64179"); }
+};
+
+Solved solve(const sketch::Sketch& sketch, const json& set = json::object(), int seed = 1) {
+  auto created =
+      DesignSession::create(sketch::writeSketch(sketch), json{{"seed", seed}, {"set", set}}.dump());
+  EXPECT_TRUE(created.ok()) << created.error().message;
+  const std::unique_ptr<DesignSession> session = std::move(created).value();
+  while (!session->advance(1000)) {
+  }
+  return {json::parse(session->reportJson()), model::readModel(session->modelJson()).value()};
+}
+
+TEST(Frames, CoverWhatTheyAreMadeForAndAreBuildable) {
+  for (const auto& [sketch, part] :
+       {std::pair(testing::rectangleSketch(4, 6), std::string("64179")),
+        std::pair(testing::smallHSketch(), std::string("14720")),
+        std::pair(testing::ladderSketch(), std::string("64178"))}) {
+    for (int seed = 1; seed <= 3; ++seed) {
+      const Solved solved = solve(sketch, json::object(), seed);
+      EXPECT_EQ(solved.model.parts.size(), 1U) << part;
+      EXPECT_EQ(solved.count(part), 1);
+      EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+      EXPECT_EQ(solved.report["beams"], 1);
+    }
+  }
+}
+
+TEST(Frames, TakeLegsInTheHolesAcrossTheirBars) {
+  const Solved solved = solve(testing::benchSketch());
+  EXPECT_EQ(solved.count("64179"), 1);
+  EXPECT_EQ(solved.report["beams"], 3);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+}
+
+TEST(Frames, AreNotUsedWhenSwitchedOffOrNotOwned) {
+  const sketch::Sketch rectangle = testing::rectangleSketch(4, 6);
+  for (const json& set :
+       {json{{"search.frames", 0}}, json{{"frames", "14720,64178"}}, json{{"owned.64179", 0}}}) {
+    const Solved solved = solve(rectangle, set);
+    EXPECT_EQ(solved.frames(), 0) << set;
+    EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+  }
+}
+
+TEST(Frames, AreNotExceededWhereOthersServe) {
+  sketch::Sketch two = testing::rectangleSketch(4, 6);
+  for (const sketch::Line& line : testing::rectangleSketch(4, 6).lines) {
+    two.lines.push_back(line);
+    two.lines.back().from.z += 9.0;
+    two.lines.back().to.z += 9.0;
+  }
+  EXPECT_EQ(solve(two).count("64179"), 2);
+  const Solved limited = solve(two, {{"owned.64179", 1}});
+  EXPECT_EQ(limited.count("64179"), 1);
+  EXPECT_TRUE(limited.report["buildable"].get<bool>()) << limited.report["problems"];
+}
+
+TEST(Frames, AreNeverLaidAcrossAJoint) {
+  sketch::Sketch linkage = testing::rectangleSketch(4, 6);
+  for (const lattice::Vec3 corner : {lattice::Vec3{0, 0, 0},
+                                     lattice::Vec3{4, 0, 0},
+                                     lattice::Vec3{4, 6, 0},
+                                     lattice::Vec3{0, 6, 0}}) {
+    linkage.joints.push_back({corner, {0, 0, 1}, {}});
+  }
+  const Solved solved = solve(linkage);
+  EXPECT_EQ(solved.frames(), 0);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+}
+
+TEST(Frames, AreJoinedToBeamsInLine) {
+  sketch::Sketch rails = testing::sketchFrom({{{0, 0, 0}, {30, 0, 0}}, {{0, 4, 0}, {30, 4, 0}}});
+  for (const double x : {0.0, 6.0, 12.0, 18.0, 24.0, 30.0}) {
+    sketch::Line rung;
+    rung.from = {x, 0, 0};
+    rung.to = {x, 4, 0};
+    rung.length = 4;
+    rails.lines.push_back(rung);
+  }
+  const Solved with = solve(rails);
+  const Solved without = solve(rails, {{"search.frames", 0}});
+  EXPECT_TRUE(with.report["buildable"].get<bool>()) << with.report["problems"];
+  EXPECT_GE(with.frames(), 2);
+  EXPECT_LE(with.report["beams"].get<int>() + 3, without.report["beams"].get<int>());
+}
+
+}  // namespace
+}  // namespace liftarm::design
