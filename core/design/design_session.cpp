@@ -57,8 +57,8 @@ std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& pr
   search::AnnealingOptions options = settings.annealing;
   if (objective::isRigid(settings.preset)) {
     options.freedoms = makeLooseness(problem, solver.table(), sketch);
-    options.buildable = makeBuildable(problem, solver.table(), sketch);
   }
+  options.buildable = makeBuildable(problem, solver.table(), sketch);
   return std::make_unique<search::Annealer>(problem, solver, std::move(options));
 }
 

@@ -168,6 +168,18 @@ bool ConnectionSearch::respectsJoint(const OrientedMechanism& m,
          });
 }
 
+//! Whether a head may go into a beam's hole that has one of the heads before it already: they must
+//! go in together, so along one axis and side by side. Only frames have holes on two axes.
+bool ConnectionSearch::goesIn(const PackedShape& shape, int origin, int head) const {
+  const PackedCell* cells = cells_.data() + shape.first;
+  const std::uint8_t axis = cells[head].axis;
+  const int terminal = codes_[at(origin + cells[head].offset)] >> 2;
+  return std::none_of(cells, cells + head, [&](const PackedCell& before) {
+    return codes_[at(origin + before.offset)] >> 2 == terminal &&
+           (before.axis != axis || before.at[axis] != cells[head].at[axis]);
+  });
+}
+
 //! \param head Which of the mechanism's cells takes the hole.
 void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
   const PackedShape& shape = shapes_[at(id)];
@@ -201,7 +213,12 @@ void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
       continue;
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>((code - kTerminal) >> 2);
-    candidate.cost -= (candidate.terminals & bit) != 0U ? kExtraHoleBonus : 0.0;
+    if ((candidate.terminals & bit) != 0U) {
+      if (!goesIn(shape, origin, i)) {
+        return;
+      }
+      candidate.cost -= kExtraHoleBonus;
+    }
     candidate.terminals |= bit;
   }
   if (!problem_->isJoint ||

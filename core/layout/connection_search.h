@@ -54,6 +54,7 @@ class ConnectionSearch {
   void collect(int radius);
   void findHoles(int radius);
   void tryPlace(std::int32_t id, int head, lattice::Cell hole);
+  [[nodiscard]] bool goesIn(const PackedShape& shape, int origin, int head) const;
   [[nodiscard]] double noiseOf(const PlacedMechanism& placed) const;
   void sortCandidates();
   void addSpare();

@@ -102,6 +102,10 @@ class Layout {
   //! one settled layout of this problem.
   void restore(const std::vector<Cover>& covers, const std::vector<JunctionState>& junctions);
 
+  //! \brief Whether mechanisms may use the holes of frames that go across their bars. What is laid
+  //! already is not joined anew.
+  void setAcross(bool allowed) { across_ = allowed; }
+
   //! \brief Solves again every connection that the changes since keep() may touch.
   void settle() { settle({}); }
 
@@ -196,6 +200,7 @@ class Layout {
   std::vector<double> openCosts_;  // by place in staleList_, while settling
   LocalProblem local_;
   int localPiece_ = 0;
+  bool across_ = true;
   std::vector<std::pair<int, int>> localTerminals_;
 };
 

@@ -59,7 +59,12 @@ void Layout::fillFrame(const RunView& view,
              arm.beam.reaches(cornerIndex(problem_->graph, arm.run, view.run));
     });
     // Sites are chosen where every view of their bars is aligned.
-    if (view.aligned && inBox(cell) && !brought) {
+    if (!view.aligned || !inBox(cell) || brought) {
+      continue;
+    }
+    if (!across_ && !bar.hasHoleAt(i)) {
+      local_.block(boxIndex(cell));
+    } else {
       local_.addHole({cell,
                       bar.hasHoleAt(i) ? axis : axisAcross(run, axis),
                       terminal,

@@ -175,11 +175,14 @@ void Annealer::beginRound() {
 
 void Annealer::finishRound() {
   if (grown_ && !keepsUp()) {
-    forgetEarlier();
+    startOver();
     return;
   }
   ++round_;
   const bool whole = best_.tallies.violations() + best_.missing == 0;
+  if (whole && !again_ && !stiffening_ && withdrawFrames()) {
+    return;
+  }
   if (whole && options_.freedoms) {
     goOnStiffening();
     return;

@@ -58,7 +58,8 @@ struct AnnealingOptions {
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
   //! Whether a layout is buildable in earnest; empty: each is that has no violations. Dear as well:
-  //! the rounds that ask for freedoms keep no layout as their best before asking this.
+  //! the rounds that ask for freedoms keep no layout as their best before asking this, and a search
+  //! that ends with frames asks it once: their holes on two axes can lock parts together.
   std::function<bool(const LayoutSnapshot&)> buildable;
 };
 
@@ -103,7 +104,8 @@ class Annealer final : public LayoutSearch {
   bool layEarlier();
   void layBestAxis(int run);
   [[nodiscard]] bool keepsUp() const;
-  void forgetEarlier();
+  void startOver();
+  bool withdrawFrames();
   void layFirst(int starts);
   void move();
   void beginRound();
@@ -187,6 +189,7 @@ class Annealer final : public LayoutSearch {
   std::vector<int> sites_;
   std::vector<layout::Bend> bends_;  // that fit, of one move
   std::vector<int> frameSites_;      // where a frame may save beams
+  bool acrossFrames_ = true;         // whether holes across their bars may be used
   int site_ = -1;                    // violated junction that the last pick came from
 };
 

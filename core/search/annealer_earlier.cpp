@@ -94,12 +94,17 @@ bool Annealer::keepsUp() const {
 
 //! Begins as if there had been no earlier layout: from here on the search is the one that a link
 //! does.
-void Annealer::forgetEarlier() {
+void Annealer::startOver() {
+  if (grown_) {
+    options_.startTemperature = coldTemperature_;
+  }
   focus_.clear();
   grown_ = false;
-  options_.startTemperature = coldTemperature_;
   best_ = {};
   rng_ = base::Rng(options_.seed);
+  if (options_.parts.orbits) {
+    orbits_ = OrbitCovers(*problem_, options_.lengths);
+  }
   layout_.setWeights(std::vector<double>(problem_->graph.junctions.size(), 1.0),
                      std::vector<double>(problem_->graph.runs.size(), 1.0));
   coverer_.setReach(guide::kMaxLayer);

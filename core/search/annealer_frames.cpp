@@ -44,6 +44,27 @@ void Annealer::findUsefulSites() {
   }
 }
 
+//! Begins anew where the best layout has frames and cannot be built: without the holes across their
+//! bars, then without frames. \return False when there is nothing to mend.
+bool Annealer::withdrawFrames() {
+  const bool framed =
+      std::any_of(best_.covers.begin(), best_.covers.end(), [](const layout::Cover& cover) {
+        return std::any_of(cover.beams.begin(), cover.beams.end(), [](const layout::Beam& beam) {
+          return beam.site >= 0;
+        });
+      });
+  if (!framed || isBuildable(best_)) {
+    return false;
+  }
+  if (!acrossFrames_) {
+    frameSites_.clear();
+  }
+  acrossFrames_ = false;
+  layout_.setAcross(false);
+  startOver();
+  return true;
+}
+
 //! Whether no symmetry binds a site's runs, and all have its hole axis or may turn to it.
 bool Annealer::mayLieAt(const layout::FrameSite& site) const {
   return std::all_of(site.arms.begin(), site.arms.end(), [&](const layout::SiteArm& arm) {

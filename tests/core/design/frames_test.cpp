@@ -93,6 +93,22 @@ TEST(Frames, AreNeverLaidAcrossAJoint) {
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
+TEST(Frames, LockNoPartsTogether) {
+  // Connectors in the holes of the rungs' frames, on two axes, hold each other there: what lies in
+  // the end must come apart all the same.
+  testing::Segments lines;
+  for (const double y : {0.0, 3.0, 6.0}) {
+    lines.push_back({{0, y, 0}, {10, y, 0}});
+  }
+  for (const double x : {0.0, 2.0, 4.0, 6.0, 8.0, 10.0}) {
+    lines.push_back({{x, 0, 0}, {x, 6, 0}});
+  }
+  for (int seed = 1; seed <= 3; ++seed) {
+    const Solved solved = solve(testing::sketchFrom(lines), json::object(), seed);
+    EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+  }
+}
+
 TEST(Frames, AreJoinedToBeamsInLine) {
   sketch::Sketch rails = testing::sketchFrom({{{0, 0, 0}, {30, 0, 0}}, {{0, 4, 0}, {30, 4, 0}}});
   for (const double x : {0.0, 6.0, 12.0, 18.0, 24.0, 30.0}) {

@@ -63,6 +63,21 @@ TEST(AnnealerFrames, ChangeNothingWhereTheySaveNothing) {
   EXPECT_EQ(with.covers, bestOf(testing::gridSketch(3), off).covers);
 }
 
+TEST(AnnealerFrames, AreWithdrawnWhereNothingCanBeBuiltWithThem) {
+  AnnealingOptions strict = withSeed(3);
+  int asked = 0;
+  strict.buildable = [&](const LayoutSnapshot& layout) {
+    ++asked;
+    return framedRuns(layout) == 0;
+  };
+  AnnealingOptions off = withSeed(3);
+  off.parts.frames = false;
+  const LayoutSnapshot best = bestOf(testing::benchSketch(), strict);
+  EXPECT_EQ(best.covers, bestOf(testing::benchSketch(), off).covers);
+  EXPECT_EQ(best.tallies.violations(), 0);
+  EXPECT_LE(asked, 2);
+}
+
 TEST(AnnealerFrames, LeaveBentBeamsOnTheirOtherRunsWhole) {
   // Moves that lay and take off frames beside bent beams must leave no arm alone.
   sketch::Sketch sketch = testing::rectangleSketch(4, 6);
