@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/assembly_order.h"
 #include "analysis/disassembly_moves.h"
 #include "analysis/disassembly_state.h"
 
@@ -54,6 +55,9 @@ class Planner {
     plan_.groups.push_back({std::move(all), {}});
     for (std::size_t g = 0; g < plan_.groups.size(); ++g) {
       takeApart(g);
+    }
+    if (wishes_.upwards) {
+      buildUpwards(graphs_, wishes_, plan_.groups.front());
     }
     return std::move(plan_);
   }

@@ -52,6 +52,10 @@ struct DisassemblyWishes {
   std::function<bool(const std::vector<int>&)> stands;
   //! Parts that nothing else holds leave together with what held them.
   bool holdTogether = false;
+  //! Whether the whole, put together, begins with what is lowest: see assembly_order.h.
+  bool upwards = false;
+  //! Whether parts stand or lie on one of their sides: orders are compared by it. May be empty.
+  std::function<bool(const std::vector<int>&)> rests = nullptr;
 };
 
 //! \brief Takes a model apart by straight moves of single parts and connected subassemblies.

@@ -235,6 +235,8 @@ Sequence planSequence(const Scene& scene) {
   const Footing footing(scene);
   wishes.stands = [&](const std::vector<int>& parts) { return footing.stands(parts); };
   wishes.holdTogether = true;
+  wishes.upwards = true;
+  wishes.rests = [&](const std::vector<int>& parts) { return standAnyway(scene, {parts}); };
   const DisassemblyPlan plan = analysis::planDisassembly(scene, wishes);
   return Writer(scene, plan).run();
 }

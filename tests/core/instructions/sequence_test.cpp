@@ -195,6 +195,33 @@ TEST(Sequence, AFlatFrameIsStableAllTheWay) {
   }
 }
 
+double lowestOf(const analysis::Scene& scene, const std::vector<int>& parts) {
+  double lowest = 1e9;
+  for (const int part : parts) {
+    lowest = std::min(lowest, scene.parts[static_cast<std::size_t>(part)].box.min.z);
+  }
+  return lowest;
+}
+
+//! All of these can be begun on the table: their sketches stand on feet or frames.
+TEST(Sequence, BeginsOnTheTableAndGoesUp) {
+  for (const char* name : {"table", "chair", "box-shelf", "cart", "windmill", "square-frame"}) {
+    const model::Model model = solvedExample(name);
+    const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
+    const Sequence sequence = planSequence(scene);
+    const double table = lowestOf(scene, sequence.groups.front().parts);
+    const auto first = std::find_if(sequence.steps.begin(),
+                                    sequence.steps.end(),
+                                    [](const Step& step) { return step.group == 0; });
+    ASSERT_NE(first, sequence.steps.end());
+    std::vector<int> begun;
+    for (const Add& add : first->adds) {
+      begun.insert(begun.end(), add.parts.begin(), add.parts.end());
+    }
+    EXPECT_LT(lowestOf(scene, begun), table + 0.6) << name;
+  }
+}
+
 TEST(Match, FindsAMirrorImageOnlyWhereATurnWillNotDo) {
   // An L of two beams and a pin on one end: its mirror image is no turn of it.
   const auto hook = [](double side, Vec3 at) {
