@@ -95,7 +95,9 @@ class Session final : public DesignSession {
   [[nodiscard]] std::string modelJson() const override { return model::writeModel(model()); }
 
   [[nodiscard]] std::string layoutJson() const override {
-    return earlierJson(search::earlierLayout(problem_.graph, search_->best().covers)).dump();
+    return earlierJson(
+               search::earlierLayout(problem_.graph, problem_.sites, search_->best().covers))
+        .dump();
   }
 
   [[nodiscard]] std::string reportJson() const override {

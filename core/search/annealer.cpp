@@ -111,7 +111,7 @@ void Annealer::start() {
   }
   beginRound();
   keepBest();
-  done_ = focus_.empty() && keepsUp();
+  done_ = focus_.empty() && keepsUp() && !withdrawFrames();
 }
 
 void Annealer::beginAfresh() {

@@ -27,7 +27,9 @@ bool Annealer::layEarlier() {
     return false;
   }
   const KeptRuns kept =
-      keepRuns(problem_->graph, options_.earlier, {options_.lengths, options_.bends});
+      keepRuns(problem_->graph,
+               options_.earlier,
+               {options_.lengths, options_.bends, options_.frames, problem_->sites});
   const auto runs = static_cast<int>(problem_->graph.runs.size());
   if (2 * kept.kept < runs) {
     return false;
@@ -44,7 +46,8 @@ bool Annealer::layEarlier() {
       continue;
     }
     for (const layout::Beam& beam : cover->beams) {
-      mostBeams_ += layout::partsOfBeam(beam.holes);
+      const bool counted = beam.site >= 0 && problem_->sites[at(beam.site)].arms.front().run != r;
+      mostBeams_ += counted ? 0 : layout::partsOfBeam(beam.holes);
     }
   }
   layout_.settleAll();

@@ -62,7 +62,14 @@ bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+bool isFrameBar(const layout::Beam& beam) {
+  return beam.mate < 0 && beam.form >= 0;
+}
+
 bool isAllowed(const layout::Beam& beam, const Allowed& allowed) {
+  if (isFrameBar(beam)) {
+    return beam.tail == 0 && contains(allowed.frames, beam.form);
+  }
   const bool straight = beam.mate < 0 && beam.form < 0 && beam.tail == 0;
   return straight ? contains(allowed.lengths, beam.holes)
                   : beam.mate >= 0 && contains(allowed.bends, beam.form) && beam.holes >= 1 &&
@@ -126,21 +133,81 @@ bool hasItsMates(const guide::GuidingGraph& graph,
   return true;
 }
 
+//! The site at which a frame lies of which a bar is on this run, when all its other bars are where
+//! they must be; -1: there is none. \param covers By run, null where none is kept.
+int siteOf(int run,
+           const layout::Beam& bar,
+           const Allowed& allowed,
+           const std::vector<const layout::Cover*>& covers) {
+  const auto lies = [&](const layout::FrameSite& site, const layout::SiteArm& arm) {
+    const layout::Cover* cover = covers[at(arm.run)];
+    return cover != nullptr && cover->axis == site.axis &&
+           std::any_of(cover->beams.begin(), cover->beams.end(), [&](const layout::Beam& other) {
+             return isFrameBar(other) && other.form == bar.form && other.layer == bar.layer &&
+                    other.start == arm.beam.start && other.holes == arm.beam.holes;
+           });
+  };
+  for (std::size_t s = 0; s < allowed.sites.size(); ++s) {
+    const layout::FrameSite& site = allowed.sites[s];
+    const bool mine = std::any_of(site.arms.begin(), site.arms.end(), [&](const auto& arm) {
+      return arm.run == run && arm.beam.start == bar.start && arm.beam.holes == bar.holes;
+    });
+    if (mine && site.frame == bar.form && (!site.exact || bar.layer == 0) &&
+        std::all_of(site.arms.begin(), site.arms.end(), [&](const layout::SiteArm& arm) {
+          return lies(site, arm);
+        })) {
+      return static_cast<int>(s);
+    }
+  }
+  return -1;
+}
+
+//! The covers of earlier runs at the runs where they are now.
+std::vector<const layout::Cover*> coversAt(const std::vector<int>& places,
+                                           const EarlierLayout& earlier,
+                                           std::size_t runs) {
+  std::vector<const layout::Cover*> covers(runs, nullptr);
+  for (std::size_t e = 0; e < places.size(); ++e) {
+    if (places[e] >= 0) {
+      covers[at(places[e])] = &earlier[e].cover;
+    }
+  }
+  return covers;
+}
+
+//! Whether every frame with a bar on an earlier run lies where one may lie now.
+bool hasItsFrames(int runs,
+                  int self,
+                  const std::vector<int>& places,
+                  const EarlierLayout& earlier,
+                  const Allowed& allowed) {
+  const std::vector<layout::Beam>& beams = earlier[at(self)].cover.beams;
+  if (std::none_of(beams.begin(), beams.end(), isFrameBar)) {
+    return true;
+  }
+  const std::vector<const layout::Cover*> covers = coversAt(places, earlier, at(runs));
+  return std::all_of(beams.begin(), beams.end(), [&](const layout::Beam& beam) {
+    return !isFrameBar(beam) || siteOf(places[at(self)], beam, allowed, covers) >= 0;
+  });
+}
+
 }  // namespace
 
 EarlierLayout earlierLayout(const guide::GuidingGraph& graph,
+                            const std::vector<layout::FrameSite>& sites,
                             const std::vector<layout::Cover>& covers) {
   EarlierLayout earlier;
   for (std::size_t r = 0; r < covers.size(); ++r) {
     const guide::GuideRun& run = graph.runs[r];
-    const bool framed = std::any_of(covers[r].beams.begin(),
-                                    covers[r].beams.end(),
-                                    [](const layout::Beam& beam) { return beam.site >= 0; });
     earlier.push_back({graph.nodes[at(run.nodes.front())],
                        graph.nodes[at(run.nodes.back())],
-                       // Places of frames are those of this sketch: the next one lays them anew.
-                       framed ? layout::Cover{covers[r].axis, {}} : covers[r],
+                       covers[r],
                        meetsOf(graph, run)});
+    for (layout::Beam& beam : earlier.back().cover.beams) {
+      if (beam.site >= 0) {
+        beam = {beam.start, beam.holes, beam.layer, -1, sites[at(beam.site)].frame};
+      }
+    }
   }
   return earlier;
 }
@@ -173,7 +240,12 @@ KeptRuns keepRuns(const guide::GuidingGraph& graph,
   for (bool again = true; again;) {
     again = false;
     for (std::size_t e = 0; e < earlier.size(); ++e) {
-      if (places[e] >= 0 && !hasItsMates(graph, static_cast<int>(e), places, earlier)) {
+      if (places[e] >= 0 && (!hasItsMates(graph, static_cast<int>(e), places, earlier) ||
+                             !hasItsFrames(static_cast<int>(graph.runs.size()),
+                                           static_cast<int>(e),
+                                           places,
+                                           earlier,
+                                           allowed))) {
         changed[at(places[e])] = true;
         places[e] = -1;
         again = true;
@@ -182,6 +254,7 @@ KeptRuns keepRuns(const guide::GuidingGraph& graph,
   }
   KeptRuns result;
   result.covers.resize(graph.runs.size());
+  const std::vector<const layout::Cover*> covers = coversAt(places, earlier, graph.runs.size());
   for (std::size_t e = 0; e < earlier.size(); ++e) {
     if (places[e] < 0) {
       continue;
@@ -189,6 +262,13 @@ KeptRuns keepRuns(const guide::GuidingGraph& graph,
     ++result.kept;
     layout::Cover cover = earlier[e].cover;
     for (layout::Beam& beam : cover.beams) {
+      if (isFrameBar(beam)) {
+        const int site = siteOf(places[e], beam, allowed, covers);
+        const int layer = beam.layer;
+        beam = layout::armOn(allowed.sites[at(site)], places[e]).beam;
+        beam.layer = layer;
+        continue;
+      }
       beam.mate = beam.mate < 0 ? -1 : places[at(beam.mate)];
     }
     result.covers[at(places[e])] = std::move(cover);

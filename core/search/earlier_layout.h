@@ -5,15 +5,18 @@
 
 #include "guide/guiding_graph.h"
 #include "layout/beam.h"
+#include "layout/frame_sites.h"
 
 namespace liftarm::search {
 
 //! \brief What a finished layout had on one run, told by places, since another sketch has other
 //! runs.
 struct EarlierRun {
-  lattice::Vec3 from;   //!< its first node, modules
-  lattice::Vec3 to;     //!< its last node
-  layout::Cover cover;  //!< mates of beams are places in the list of runs
+  lattice::Vec3 from;  //!< its first node, modules
+  lattice::Vec3 to;    //!< its last node
+  //! Mates of beams are places in the list of runs; bars of frames have no site, but the frame as
+  //! their form.
+  layout::Cover cover;
   //! By junction on it: index of the node, number of runs that meet there, and 1 where a mechanism
   //! may bridge an edge.
   std::vector<int> meets;
@@ -21,9 +24,10 @@ struct EarlierRun {
 
 using EarlierLayout = std::vector<EarlierRun>;
 
-//! \brief A layout as a later search may take it over. \param covers One for each run, or none at
-//! all.
+//! \brief A layout as a later search may take it over. \param sites Of the layout's problem.
+//! \param covers One for each run, or none at all.
 EarlierLayout earlierLayout(const guide::GuidingGraph& graph,
+                            const std::vector<layout::FrameSite>& sites,
                             const std::vector<layout::Cover>& covers);
 
 //! \brief What of an earlier layout still fits.
@@ -36,13 +40,15 @@ struct KeptRuns {
 
 //! \brief What may be laid.
 struct Allowed {
-  const std::vector<int>& lengths;  //!< numbers of holes of straight beams
-  const std::vector<int>& bends;    //!< bent beams, by index in layout::bentBeams()
+  const std::vector<int>& lengths;              //!< numbers of holes of straight beams
+  const std::vector<int>& bends;                //!< bent beams, by index in layout::bentBeams()
+  const std::vector<int>& frames;               //!< by index in layout::frameBeams()
+  const std::vector<layout::FrameSite>& sites;  //!< where frames may lie now
 };
 
 //! \brief Finds the runs of an earlier layout again: same ends, a hole axis and beams that are
-//! still allowed. A bent beam is kept when both its runs are. \param earlier May come from a file:
-//! what is not sensible in it is not kept.
+//! still allowed. A bent beam or a frame is kept when all its runs are. \param earlier May come
+//! from a file: what is not sensible in it is not kept.
 KeptRuns keepRuns(const guide::GuidingGraph& graph,
                   const EarlierLayout& earlier,
                   const Allowed& allowed);

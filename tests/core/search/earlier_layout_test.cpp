@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/helpers/frame_sketches.h"
 #include "core/helpers/layouts.h"
 #include "search/annealer.h"
 
@@ -22,9 +23,9 @@ AnnealingOptions quick(EarlierLayout earlier = {}) {
 }
 
 //! All that is allowed by default.
-Allowed allowed() {
+Allowed allowed(const layout::LayoutProblem& problem) {
   static const AnnealingOptions kDefaults;
-  return {kDefaults.lengths, kDefaults.bends};
+  return {kDefaults.lengths, kDefaults.bends, kDefaults.frames, problem.sites};
 }
 
 //! A finished search with all that it refers to.
@@ -38,7 +39,7 @@ struct Finished {
   [[nodiscard]] const guide::GuidingGraph& graph() const { return bench.problem.graph; }
 
   [[nodiscard]] EarlierLayout layout() const {
-    return earlierLayout(graph(), annealer.best().covers);
+    return earlierLayout(graph(), bench.problem.sites, annealer.best().covers);
   }
 
   LayoutBench bench;
@@ -54,7 +55,7 @@ sketch::Sketch houseWithMast() {
 
 TEST(EarlierLayout, IsKeptWholeByTheSameSketch) {
   const Finished first(testing::houseSketch(), quick());
-  const KeptRuns kept = keepRuns(first.graph(), first.layout(), allowed());
+  const KeptRuns kept = keepRuns(first.graph(), first.layout(), allowed(first.bench.problem));
   EXPECT_EQ(kept.kept, static_cast<int>(first.graph().runs.size()));
   EXPECT_TRUE(kept.touched.empty());
   const Finished second(testing::houseSketch(), quick(first.layout()));
@@ -69,7 +70,7 @@ TEST(EarlierLayout, LeavesWhatIsFarFromANewLineAsItLies) {
   ASSERT_TRUE(grown.annealer.grown());
   EXPECT_EQ(grown.annealer.best().tallies.violations(), 0);
   EXPECT_LT(grown.annealer.iterations(), first.annealer.iterations());
-  const KeptRuns kept = keepRuns(grown.graph(), first.layout(), allowed());
+  const KeptRuns kept = keepRuns(grown.graph(), first.layout(), allowed(grown.bench.problem));
   ASSERT_FALSE(kept.touched.empty());
   int same = 0;
   for (std::size_t r = 0; r < kept.covers.size(); ++r) {
@@ -116,7 +117,7 @@ TEST(EarlierLayout, KeepsNothingThatMakesNoSense) {
     for (EarlierRun& run : bad) {
       change(&run);
     }
-    return keepRuns(first.graph(), bad, allowed()).kept;
+    return keepRuns(first.graph(), bad, allowed(first.bench.problem)).kept;
   };
   EXPECT_EQ(keptWith([](EarlierRun* run) { run->to.x += 1.0; }), 0);
   EXPECT_EQ(keptWith([](EarlierRun* run) { run->cover.beams.clear(); }), 0);
@@ -138,13 +139,44 @@ TEST(EarlierLayout, KeepsAnLBeamOnlyWithBothItsArms) {
   std::vector<layout::Cover> covers{{lattice::Axis::kZ, {bends.front().arm, {1, 5, 1}}},
                                     {lattice::Axis::kZ, {bends.front().mateArm, {1, 5, 1}}},
                                     {graph.runs[2].axes.front(), {{0, 3, 0}, {1, 5, 1}}}};
-  EarlierLayout earlier = earlierLayout(graph, covers);
-  EXPECT_EQ(keepRuns(graph, earlier, allowed()).kept, 3);
+  EarlierLayout earlier = earlierLayout(graph, bench.problem.sites, covers);
+  EXPECT_EQ(keepRuns(graph, earlier, allowed(bench.problem)).kept, 3);
   EarlierLayout wrong = earlier;
   wrong[0].cover.beams.front().holes -= 1;  // no such bent beam
-  EXPECT_EQ(keepRuns(graph, wrong, allowed()).kept, 1);
+  EXPECT_EQ(keepRuns(graph, wrong, allowed(bench.problem)).kept, 1);
   earlier[1].cover.beams.back().holes = 8;
-  EXPECT_EQ(keepRuns(graph, earlier, allowed()).kept, 1);
+  EXPECT_EQ(keepRuns(graph, earlier, allowed(bench.problem)).kept, 1);
+}
+
+TEST(EarlierLayout, KeepsAFrameWhereAllItsRunsAreKept) {
+  const Finished first(testing::rectangleSketch(4, 6), quick());
+  ASSERT_EQ(first.annealer.best().tallies.beams, 1);
+  sketch::Sketch more = testing::rectangleSketch(4, 6);
+  more.lines.push_back({{0, 0, 0}, {-5, 0, 0}, 5, false, {}});
+  const Finished afresh(more, quick());
+  // The new line goes on from a side, which is another run then: nothing is left of the frame.
+  EXPECT_EQ(keepRuns(afresh.graph(), first.layout(), allowed(afresh.bench.problem)).kept, 0);
+  more.lines.back() = {{0, 0, 0}, {0, 0, 5}, 5, false, {}};
+  const Finished grown(more, quick(first.layout()));
+  EXPECT_TRUE(grown.annealer.grown());
+  EXPECT_EQ(grown.annealer.best().tallies.beams, 2);
+  EXPECT_EQ(keepRuns(grown.graph(), first.layout(), allowed(grown.bench.problem)).kept, 4);
+}
+
+TEST(EarlierLayout, KeepsNoFrameThatLiesNowhere) {
+  const Finished first(testing::rectangleSketch(4, 6), quick());
+  const auto keptWith = [&](auto change) {
+    EarlierLayout bad = first.layout();
+    change(&bad[0].cover.beams.front());
+    return keepRuns(first.graph(), bad, allowed(first.bench.problem)).kept;
+  };
+  EXPECT_EQ(keptWith([](layout::Beam*) {}), 4);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { bar->layer += 1; }), 0);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { bar->start -= 1; }), 0);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { bar->form = 0; }), 0);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { bar->form = 99; }), 0);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { bar->tail = 1; }), 0);
+  EXPECT_EQ(keptWith([](layout::Beam* bar) { *bar = {0, 5, 0}; }), 1);  // a straight beam
 }
 
 }  // namespace
