@@ -3,16 +3,18 @@
 import { writeFileSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
-import { ABLATIONS, summariseAblation } from './lib/ablations.mjs';
+import { ABLATIONS, AIMS, summariseAblation } from './lib/ablations.mjs';
 import { markdownTable, secondsText } from './lib/markdown.mjs';
 import { readyCommand } from './lib/ready-command.mjs';
 import { exitWith, StepError } from './lib/run.mjs';
 import { machine, sketchFiles, sketchName, solve, wholeNumber } from './lib/solve.mjs';
+import { median } from './lib/statistics.mjs';
+import { withSymmetries } from './lib/symmetric-sketch.mjs';
 
 const USAGE = `npm run ablate [-- SKETCH... options]
   SKETCH         a file or a name in ../shared/sketches; without any: some of all kinds
   --seeds N      seeds 1 to N for each sketch and part (default 4)
-  --only PART    one part alone, by its key in the table; can be repeated
+  --only PART    one part alone, by its key in scripts/lib/ablations.mjs; can be repeated
   --timeout S    seconds after which a run is stopped and counts as failed (default 60)
   --out FILE     default docs/ablations.md
   --command FILE the command to run (default build/native/liftarm, built first)`;
@@ -52,18 +54,19 @@ function readOptions() {
   if (values.help) {
     throw new StepError(USAGE);
   }
-  const unknown = values.only.find((key) => !ABLATIONS.some((row) => row.key === key));
+  const keys = [...ABLATIONS, ...AIMS.flatMap(({ rows }) => rows)].map(({ key }) => key);
+  const unknown = values.only.find((key) => !keys.includes(key));
   if (unknown !== undefined) {
-    throw new StepError(
-      `--only ${unknown}: no such part; known are ${ABLATIONS.map((row) => row.key).join(', ')}`,
-    );
+    throw new StepError(`--only ${unknown}: no such part; known are ${keys.join(', ')}`);
   }
+  const wanted = ({ key }) => values.only.length === 0 || values.only.includes(key);
   return {
     names: positionals.length > 0 ? positionals : SKETCHES,
     seeds: wholeNumber('seeds', values.seeds),
     // The whole search is always measured: all others are compared with it.
-    rows: ABLATIONS.filter(
-      (row, i) => i === 0 || values.only.length === 0 || values.only.includes(row.key),
+    rows: ABLATIONS.filter((row, i) => i === 0 || wanted(row)),
+    aims: AIMS.map((aim) => ({ ...aim, rows: aim.rows.filter(wanted) })).filter(
+      ({ rows }) => rows.length > 0,
     ),
     timeoutMs: wholeNumber('timeout', values.timeout) * 1000,
     out: resolve(values.out),
@@ -71,13 +74,13 @@ function readOptions() {
   };
 }
 
-function runsOf(row, files, { command, seeds, timeoutMs }) {
+function runsOf(row, files, { command, seeds, timeoutMs, args = [] }) {
   return files.flatMap((file) =>
     Array.from({ length: seeds }, (_, i) => ({
       sketch: sketchName(file),
       report: solve(command, {
         sketch: file,
-        args: ['--seed', `${i + 1}`, ...row.set.flatMap((pair) => ['--set', pair])],
+        args: ['--seed', `${i + 1}`, ...args, ...row.set.flatMap((pair) => ['--set', pair])],
         timeoutMs,
       }),
     })),
@@ -99,7 +102,37 @@ function cellsOf({ row, result, whole }) {
   ];
 }
 
-function documentOf(rows, { names, seeds, machineText }) {
+/** The rows of one aim: with all parts, then with each of its own switched off. */
+function aimCells(aim, options) {
+  const files = sketchFiles(aim.sketches).map((file) =>
+    aim.symmetric ? withSymmetries(options.command, file).file : file,
+  );
+  return [ABLATIONS[0], ...aim.rows].map((row) => {
+    const runs = runsOf(row, files, { ...options, args: aim.args });
+    const reports = runs.map(({ report }) => report).filter((report) => report !== null);
+    const cells = [
+      row.title,
+      `${reports.filter(aim.isGood).length} of ${runs.length}`,
+      `${reports.filter(({ buildable }) => buildable).length} of ${runs.length}`,
+      `${median(reports.map(({ beams }) => beams))}`,
+      secondsText(median(reports.map(({ seconds }) => seconds.processor))),
+    ];
+    console.log(cells.join('  '));
+    return cells;
+  });
+}
+
+const aimText = ({ title, about, sketches, good, rows }, cells) => `
+## ${title}
+
+Of ${sketches.join(', ')}: ${about}. Beams and seconds of the processor: medians.
+
+${markdownTable(['switched off', good, 'buildable', 'beams', 'seconds'], cells)}
+
+${rows.map((row) => `- **${row.title}** (\`${row.set.join(' ')}\`): ${row.about}`).join('\n')}
+`;
+
+function documentOf(rows, aims, { names, seeds, machineText }) {
   return `# What each part of the search is worth
 
 Made by \`npm run ablate\`; do not edit. ${machineText}; one thread; seeds 1 to ${seeds} of: ${names.join(', ')}.
@@ -111,7 +144,7 @@ of the processor: median over all runs, also those that failed. Unreliable: sket
 ${markdownTable(TITLES, rows.map(cellsOf))}
 
 ${rows.map(({ row }) => `- **${row.title}** (\`${row.set.join(' ') || 'default'}\`): ${row.about}`).join('\n')}
-`;
+${aims.join('')}`;
 }
 
 async function main() {
@@ -129,8 +162,9 @@ async function main() {
     rows.push({ row, result, whole });
     console.log(cellsOf(rows.at(-1)).join('  '));
   }
+  const aims = options.aims.map((aim) => aimText(aim, aimCells(aim, options)));
   const names = files.map(sketchName);
-  writeFileSync(options.out, documentOf(rows, { ...options, names, machineText }));
+  writeFileSync(options.out, documentOf(rows, aims, { ...options, names, machineText }));
   console.log(`written: ${relative(process.cwd(), options.out)}`);
 }
 

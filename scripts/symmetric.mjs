@@ -1,30 +1,16 @@
 // `npm run symmetric -- [SKETCHES] [options]`: confirms the symmetries that the core finds in a sketch, solves it with
 // and without them, and prints how symmetric the models are and what that costs.
-import { spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { sketchFiles, sketchName, solve, wholeNumber } from './lib/solve.mjs';
 import { median } from './lib/statistics.mjs';
+import { withSymmetries } from './lib/symmetric-sketch.mjs';
 
 const COMMAND = resolve(TOP, 'build/native/liftarm');
-const FOLDER = resolve(TOP, 'build/symmetric');
 const USAGE = `npm run symmetric -- [SKETCHES] [options]
   --seeds N      seeds 1 to N for each sketch (default 3)
   --confirm W    mirrors across principal planes (default), or all that was found`;
-
-/** Of what \`liftarm symmetries\` found, what a person would confirm. */
-function confirmed(file, which) {
-  const result = spawnSync(COMMAND, ['symmetries', '--json', file], { encoding: 'utf8' });
-  if (result.status !== 0) {
-    throw new StepError(`liftarm symmetries ${file}: ${result.stderr}`);
-  }
-  return JSON.parse(result.stdout).symmetries.filter(({ kind, normal }) => {
-    const principal = kind === 'reflection' && normal.filter((x) => x !== 0).length === 1;
-    return which === 'all' ? kind !== 'rotation' : principal;
-  });
-}
 
 function runs(sketch, seeds) {
   return Array.from({ length: seeds }, (_, i) =>
@@ -45,27 +31,21 @@ function main() {
     throw new StepError(USAGE);
   }
   const seeds = wholeNumber('seeds', values.seeds);
-  mkdirSync(FOLDER, { recursive: true });
   console.log(
     'sketch               found  symmetric  buildable  beams  without  largest  uneven  processor',
   );
   for (const file of sketchFiles(positionals)) {
-    const found = confirmed(file, values.confirm);
-    if (found.length === 0) {
+    const { file: sketch, found } = withSymmetries(COMMAND, file, values.confirm);
+    if (found === 0) {
       continue;
     }
-    const sketch = resolve(FOLDER, `${sketchName(file)}.sketch.json`);
-    writeFileSync(
-      sketch,
-      JSON.stringify({ ...JSON.parse(readFileSync(file, 'utf8')), symmetries: found }),
-    );
     const withThem = runs(sketch, seeds);
     const without = runs(file, seeds);
     const count = (test) => `${withThem.filter(test).length}/${seeds}`;
     console.log(
       [
         sketchName(file).padEnd(20),
-        String(found.length).padStart(5),
+        String(found).padStart(5),
         count((r) => r.symmetryDeviation === 0).padStart(10),
         count((r) => r.buildable).padStart(10),
         String(median(withThem.map((r) => r.beams))).padStart(6),

@@ -111,6 +111,50 @@ export const ABLATIONS = [
 ];
 
 /**
+ * Parts that only some settings use, each judged by what it is for.
+ * @type {{title: string, about: string, sketches: string[], symmetric: boolean, args: string[],
+ *     good: string, isGood: (report: Record<string, any>) => boolean,
+ *     rows: {key: string, title: string, set: string[], about: string}[]}[]}
+ */
+export const AIMS = [
+  {
+    title: 'Rigid presets',
+    about: 'preset simple-rigid; stiff: buildable, and no freedom is left with all pins turning',
+    sketches: ['cube_3', 'cube_5', 'cube_19', 'grid_4', 'grid_7', 'grid_8', 'house'],
+    symmetric: false,
+    args: ['--preset', 'simple-rigid'],
+    good: 'stiff',
+    isGood: (report) => report.buildable && report.freedoms === 0,
+    rows: [
+      {
+        key: 'bends',
+        title: 'bent beams',
+        set: ['search.corners=0'],
+        about: 'straight beams only.',
+      },
+    ],
+  },
+  {
+    title: 'Confirmed symmetries',
+    about:
+      'mirrors across principal planes, confirmed; symmetric: buildable, and every line is its image',
+    sketches: ['crossbow', 'cube_5', 'cube_9', 'fan', 'letter_H', 'picker', 'tower_3d_storey'],
+    symmetric: true,
+    args: [],
+    good: 'symmetric',
+    isGood: (report) => report.buildable && report.symmetryDeviation === 0,
+    rows: [
+      {
+        key: 'orbits',
+        title: 'covers of all images at once',
+        set: ['search.orbits=0'],
+        about: 'symmetry is not kept by the moves.',
+      },
+    ],
+  },
+];
+
+/**
  * What the runs of one row come to.
  * @param {{sketch: string, report: Record<string, any> | null}[]} runs
  * @param {{sketch: string, report: Record<string, any> | null}[]} others runs of the same sketches and seeds
