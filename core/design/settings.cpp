@@ -89,7 +89,6 @@ constexpr std::array<SwitchKey, 13> kSwitchKeys{{
     {"search.growth", &search::SearchParts::growth},
     {"search.walls", &search::SearchParts::walls},
     {"search.mirrors", &search::SearchParts::mirrors},
-    {"search.variants", &search::SearchParts::variants},
     {"search.orbits", &search::SearchParts::orbits},
     {"search.costly", &search::SearchParts::costly},
 }};

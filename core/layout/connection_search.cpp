@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/hash.h"
-
 namespace liftarm::layout {
 
 namespace {
@@ -15,10 +13,6 @@ using mechanisms::TableEntry;
 
 constexpr double kDanglingCost = 0.3;    // a head that holds nothing, in parts
 constexpr double kExtraHoleBonus = 0.2;  // a second head in one beam makes the corner stiffer
-// Of a variant: up to so much, in parts, is added to what each mechanism costs, so that another
-// choice is the cheapest ...
-constexpr double kMostNoise = 2.0;
-constexpr std::uint32_t kMostSpare = 3;  // ... and fewer mechanisms than so many are added to it
 constexpr double kSame = 1e-9;
 constexpr std::size_t kMaxCandidates = 160;
 constexpr int kMaxNodes = 400;
@@ -136,9 +130,6 @@ Connection ConnectionSearch::within(int radius) {
     leastValue_ = std::max(0.0, candidates_.front().value);
     descend(0, 1U << static_cast<unsigned>(problem_->cluster[0]), best_.failed, 0.0);
   }
-  if (problem_->variant != 0) {
-    addSpare();
-  }
   return std::move(best_);
 }
 
@@ -223,50 +214,7 @@ void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
   }
   if (!problem_->isJoint ||
       (!strangers && respectsJoint(table_->oriented(id), place, candidate.terminals))) {
-    candidate.plainCost = candidate.cost;
-    candidate.cost += noiseOf(candidate.placed);
     candidates_.push_back(candidate);
-  }
-}
-
-//! What a variant adds to the cost of a mechanism: always the same for the same place.
-double ConnectionSearch::noiseOf(const PlacedMechanism& placed) const {
-  if (problem_->variant == 0) {
-    return 0.0;
-  }
-  std::uint64_t hash =
-      base::mixHash(problem_->variant, static_cast<std::uint64_t>(placed.oriented));
-  hash = base::mixHash(hash, static_cast<std::uint64_t>(boxIndex(placed.at) + kBoxCells));
-  return kMostNoise * static_cast<double>(hash >> 11U) * 0x1p-53;
-}
-
-//! Mechanisms beyond what is needed, the cheapest that fit, as many as the variant says; and the
-//! cost of all without noise.
-void ConnectionSearch::addSpare() {
-  best_.cost = 0.0;
-  std::uint32_t wanted = best_.failed == 0 ? problem_->variant % kMostSpare : 0;
-  std::vector<const Candidate*> taken;
-  for (const Candidate& candidate : candidates_) {
-    const bool chosen = std::any_of(
-        best_.mechanisms.begin(), best_.mechanisms.end(), [&](const PlacedMechanism& placed) {
-          return placed.oriented == candidate.placed.oriented && placed.at == candidate.placed.at;
-        });
-    if (chosen) {
-      take(candidate, 1);
-      taken.push_back(&candidate);
-    }
-  }
-  for (const Candidate& candidate : candidates_) {
-    if (wanted > 0 && fits(candidate)) {
-      --wanted;
-      take(candidate, 1);
-      taken.push_back(&candidate);
-      best_.mechanisms.push_back(candidate.placed);
-    }
-  }
-  for (const Candidate* candidate : taken) {
-    take(*candidate, 0);
-    best_.cost += candidate->plainCost;
   }
 }
 

@@ -44,8 +44,7 @@ class ConnectionSearch {
     int origin = 0;               // index of the place in the box, which it may be outside of
     std::uint32_t terminals = 0;  // then: clusters
     double cost = 0.0;
-    double plainCost = 0.0;  // without what a variant adds
-    double value = 0.0;      // cost for each join
+    double value = 0.0;  // cost for each join
   };
 
   void enter(const LocalProblem& problem);
@@ -55,9 +54,7 @@ class ConnectionSearch {
   void findHoles(int radius);
   void tryPlace(std::int32_t id, int head, lattice::Cell hole);
   [[nodiscard]] bool goesIn(const PackedShape& shape, int origin, int head) const;
-  [[nodiscard]] double noiseOf(const PlacedMechanism& placed) const;
   void sortCandidates();
-  void addSpare();
   void toClusters();
   [[nodiscard]] bool respectsJoint(const mechanisms::OrientedMechanism& m,
                                    lattice::Cell at,

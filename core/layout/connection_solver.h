@@ -57,9 +57,6 @@ class LocalProblem {
   lattice::Axis jointAxis = lattice::Axis::kX;
   std::array<std::int8_t, kMaxTerminals> group{};  //!< joint group of each terminal, -1: any
   std::array<std::int8_t, kMaxTerminals> cluster{};
-  //! 0: the cheapest connection; any other number: one of many that may be dearer, always the same
-  //! for the same number, some of them with more mechanisms than are needed.
-  std::uint32_t variant = 0;
 
   [[nodiscard]] const LocalHole* holeAt(int cell) const;
   [[nodiscard]] bool blocked(int cell) const;

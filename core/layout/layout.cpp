@@ -211,16 +211,6 @@ void Layout::settleAll() {
   settle();
 }
 
-void Layout::setVariant(int junction, std::uint32_t variant) {
-  saveTallies();
-  saveJunction(junction);
-  junctions_[at(junction)].variant = variant;
-  if (stale_[at(junction)] == 0) {
-    stale_[at(junction)] = 1;
-    staleList_.push_back(junction);
-  }
-}
-
 void Layout::restore(const std::vector<Cover>& covers,
                      const std::vector<JunctionState>& junctions) {
   for (std::size_t r = 0; r < covers.size(); ++r) {

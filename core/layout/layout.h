@@ -52,7 +52,6 @@ struct JunctionState {
   int gaps = 0;  //!< that no spacer fills
   int overfull = 0;
   bool leans = false;  //!< some of its beams are joined by a neighbouring junction's mechanism
-  std::uint32_t variant = 0;  //!< which of its connections is asked for: LocalProblem::variant
 
   [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
 };
@@ -93,10 +92,6 @@ class Layout {
 
   //! \brief Replaces the beams of one run. Its neighbours' connections are stale until settle().
   void setCover(int run, Cover cover);
-
-  //! \brief Asks for another connection of a junction's beams (LocalProblem::variant); it is stale
-  //! until settle().
-  void setVariant(int junction, std::uint32_t variant);
 
   //! \brief Puts a layout back as it was, mechanisms and all, and keeps it. \pre Both lists are of
   //! one settled layout of this problem.

@@ -354,12 +354,11 @@ void Layout::solveJunction(int junction) {
   countStack(junction, &state);
   localTerminals_ = terminalsAt(junction);
   if (localTerminals_.size() < 2 ||
-      (state.variant == 0 && state.spacers.empty() && plainStack(junction, &state.connection))) {
+      (state.spacers.empty() && plainStack(junction, &state.connection))) {
     return;
   }
   state.leans = fillProblem(junction);
   fillSpacers(&state);
-  local_.variant = state.variant;
   state.connection = solver_->solve(local_);
 }
 

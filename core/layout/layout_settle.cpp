@@ -13,13 +13,6 @@ std::size_t at(int id) {
   return static_cast<std::size_t>(id);
 }
 
-//! All is forgotten but what is asked for.
-void unsolve(JunctionState* state) {
-  const std::uint32_t variant = state->variant;
-  *state = JunctionState{};
-  state->variant = variant;
-}
-
 }  // namespace
 
 std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
@@ -82,7 +75,7 @@ double Layout::clearStale() {
     const bool several = problem_->graph.junctions[at(junction)].incident.size() > 1;
     openCosts_.push_back(several && !state.leans && !hasFrameAt(junction) ? 1.0 : 0.0);
     open += openCosts_.back();
-    unsolve(&state);
+    state = {};
     countStack(junction, &state);
     addJunction(state, junction, 1);
   }
@@ -121,7 +114,7 @@ bool Layout::settle(const std::function<bool()>& hopeless) {
     const int junction = staleList_[i];
     JunctionState& state = junctions_[at(junction)];
     addJunction(state, junction, -1);
-    unsolve(&state);
+    state = {};
     solveJunction(junction);
     addJunction(state, junction, 1);
     stale_[at(junction)] = 0;
@@ -166,7 +159,7 @@ void Layout::giveWay(int junction) {
     saveJunction(j);
     states.push_back(junctions_[at(j)]);
     before += states.back().violations();
-    unsolve(&junctions_[at(j)]);
+    junctions_[at(j)] = {};
     countStack(j, &junctions_[at(j)]);
   }
   int after = 0;

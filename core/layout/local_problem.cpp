@@ -13,7 +13,6 @@ void LocalProblem::clear() {
   holes_.clear();
   terminals = 0;
   isJoint = false;
-  variant = 0;
   group.fill(-1);
   for (std::size_t t = 0; t < cluster.size(); ++t) {
     cluster[t] = static_cast<std::int8_t>(t);
@@ -83,9 +82,6 @@ std::uint64_t LocalProblem::hash() const {
   for (int t = 0; t < terminals; ++t) {
     const auto at = static_cast<std::size_t>(t);
     hash = base::mixHash(hash, static_cast<std::uint64_t>(cluster[at] * 64 + group[at] + 1));
-  }
-  if (variant != 0) {
-    hash = base::mixHash(hash, 512U + variant);
   }
   return base::mixHash(hash,
                        isJoint ? 1U + static_cast<std::uint64_t>(lattice::index(jointAxis)) : 0U);

@@ -21,19 +21,18 @@ namespace liftarm::search {
 //! \brief Parts of the search that can be switched off, to see what each is worth
 //! (docs/ablations.md).
 struct SearchParts {
-  bool corners = true;   //!< bent beams
-  bool frames = true;    //!< frames
-  bool focus = true;     //!< most moves at violated places
-  bool pairs = true;     //!< moves that cover two runs anew
-  bool many = true;      //!< ruin and recreate of several runs
-  bool turns = true;     //!< moves that turn a run's hole axis
-  bool noise = true;     //!< random amounts on the costs of a cover
-  bool growth = true;    //!< violations that stay gain weight
-  bool walls = true;     //!< a first layout whose lines change layers together (guide/layer_field)
-  bool mirrors = true;   //!< moves that mirror a run's layers
-  bool costly = true;    //!< moves at runs with more beams than they need
-  bool variants = true;  //!< moves that join a junction another way, while stiffening
-  bool orbits = true;    //!< covers that obey the confirmed symmetries, while that can be
+  bool corners = true;  //!< bent beams
+  bool frames = true;   //!< frames
+  bool focus = true;    //!< most moves at violated places
+  bool pairs = true;    //!< moves that cover two runs anew
+  bool many = true;     //!< ruin and recreate of several runs
+  bool turns = true;    //!< moves that turn a run's hole axis
+  bool noise = true;    //!< random amounts on the costs of a cover
+  bool growth = true;   //!< violations that stay gain weight
+  bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
+  bool mirrors = true;  //!< moves that mirror a run's layers
+  bool costly = true;   //!< moves at runs with more beams than they need
+  bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
 };
 
 struct AnnealingOptions {
@@ -140,8 +139,6 @@ class Annealer final : public LayoutSearch {
   void startAgain();
   void offerAgain();
   [[nodiscard]] bool isBuildable(const LayoutSnapshot& layout) const;
-  [[nodiscard]] bool mayVary() const;
-  bool varyConnection(int run);
   [[nodiscard]] LayoutSnapshot snapshot() const;
   bool passes(double limit);
 

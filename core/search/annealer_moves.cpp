@@ -17,7 +17,6 @@ constexpr double kPickCostly =
     0.5;  // share of moves at a run with more beams than it needs, if any
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
 constexpr double kPickBendStiff = 0.25;
-constexpr double kPickVariant = 0.5;  // share of moves of a stiffening round that change no beam
 constexpr double kPickBend = 0.12;    // share of moves that lay a bent beam
 constexpr double kPickFrame = 0.1;    // share of moves that lay a frame, where one may save beams
 constexpr double kStraighten = 0.25;  // share of moves on a run with bent beams that take them out
@@ -255,11 +254,8 @@ void Annealer::move() {
   const bool framed = !many && !calm && !corner && !frameSites_.empty() && rng_.unit() < kPickFrame;
   const bool mirrored =
       !many && !corner && !framed && parts.mirrors && !calm && rng_.unit() < kPickMirror;
-  const bool varied = mayVary() && rng_.unit() < kPickVariant;
   bool changed = false;
-  if (varied) {
-    changed = varyConnection(run);
-  } else if (many) {
+  if (many) {
     changed = recoverMany(run, noise);
   } else if (mirrored) {
     changed = mirror(run, kMirrorNoise * noise);

@@ -21,12 +21,6 @@ constexpr std::uint32_t kHopefulRounds = 9;
 constexpr int kFewFreedoms = 6;
 constexpr std::uint32_t kPlainRounds = 2;  // for another start to become whole
 constexpr double kStiffTemperature = 3.0;
-constexpr double kPlainAgain = 0.25;  // share of moves that go back to the cheapest connection
-constexpr std::uint32_t kVariants = 1U << 20U;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool isWhole(const LayoutSnapshot& layout) {
   return layout.tallies.violations() + layout.missing == 0;
@@ -91,9 +85,6 @@ void Annealer::startAgain() {
   freedomCost_ = 0.0;
   stiffRounds_ = 0;
   plainRounds_ = 0;
-  for (std::size_t j = 0; j < problem_->graph.junctions.size(); ++j) {
-    layout_.setVariant(static_cast<int>(j), 0);
-  }
   layAgain();
   beginRound();
   keepBest();
@@ -131,26 +122,6 @@ bool Annealer::passes(double limit) {
 
 bool Annealer::isBuildable(const LayoutSnapshot& layout) const {
   return !options_.buildable || options_.buildable(layout);
-}
-
-//! Dearer connections take time and parts, and other hole axes alone make most models stiff: so
-//! only every other start has them, from the third on.
-bool Annealer::mayVary() const {
-  return stiffening_ && options_.parts.variants && startsAgain_ >= 2 && startsAgain_ % 2 == 0;
-}
-
-//! Joins the beams of a junction of this run another way: what is dearer may be stiffer.
-bool Annealer::varyConnection(int run) {
-  const std::vector<int>& met = problem_->graph.runs[at(run)].junctions;
-  if (met.empty()) {
-    return false;
-  }
-  const int junction = met[rng_.below(static_cast<std::uint32_t>(met.size()))];
-  const std::uint32_t before = layout_.junction(junction).variant;
-  const std::uint32_t variant =
-      before != 0 && rng_.unit() < kPlainAgain ? 0 : 1 + rng_.below(kVariants);
-  layout_.setVariant(junction, variant);
-  return true;
 }
 
 }  // namespace liftarm::search

@@ -63,15 +63,6 @@ void coverAll(Layout* layout, base::Rng* rng) {
   layout->keep();
 }
 
-//! Asks for other connections at a few junctions.
-void varySome(Layout* layout, base::Rng* rng) {
-  const std::size_t junctions = layout->problem().graph.junctions.size();
-  for (std::uint32_t i = rng->below(3); i > 0 && junctions > 0; --i) {
-    layout->setVariant(static_cast<int>(rng->below(static_cast<std::uint32_t>(junctions))),
-                       rng->below(50));
-  }
-}
-
 void coverSome(Layout* layout, base::Rng* rng) {
   const std::vector<guide::GuideRun>& runs = layout->problem().graph.runs;
   const std::uint32_t count = 1 + rng->below(3);
@@ -92,7 +83,6 @@ TEST_P(LayoutEdits, TalliesEqualARecountAfterAnyEdits) {
   coverAll(&layout, &rng);
   for (int step = 0; step < 60; ++step) {
     coverSome(&layout, &rng);
-    varySome(&layout, &rng);
     layout.settle();
     if (rng.below(2) == 0) {
       layout.keep();
@@ -111,7 +101,6 @@ TEST_P(LayoutEdits, RestoreBringsAKeptLayoutBack) {
   Layout layout(bench.problem, bench.solver);
   base::Rng rng(14);
   coverAll(&layout, &rng);
-  varySome(&layout, &rng);
   layout.settle();
   layout.keep();
   std::vector<Cover> covers;
@@ -126,7 +115,6 @@ TEST_P(LayoutEdits, RestoreBringsAKeptLayoutBack) {
   const Tallies tallies = layout.tallies();
   for (int step = 0; step < 5; ++step) {
     coverSome(&layout, &rng);
-    varySome(&layout, &rng);
     layout.settle();
     layout.keep();
   }
@@ -143,7 +131,6 @@ TEST_P(LayoutEdits, RevertRestoresEverything) {
   for (int step = 0; step < 60; ++step) {
     const std::string before = fingerprint(layout);
     coverSome(&layout, &rng);
-    varySome(&layout, &rng);
     if (rng.below(3) != 0) {
       layout.settle();
     }
@@ -164,13 +151,10 @@ TEST_P(LayoutEdits, RevertLeavesNoTraceInLaterEdits) {
   for (int step = 0; step < 20; ++step) {
     base::Rng detour(static_cast<std::uint64_t>(step));
     coverSome(&layout, &detour);
-    varySome(&layout, &detour);
     layout.settle();
     layout.revert();
     coverSome(&layout, &rng);
-    varySome(&layout, &rng);
     coverSome(&straight, &same);
-    varySome(&straight, &same);
     layout.settle();
     straight.settle();
     layout.keep();
@@ -186,7 +170,6 @@ TEST_P(LayoutEdits, WeightedViolationsAreTheViolationsWhereAllWeightsAreOne) {
   coverAll(&layout, &rng);
   for (int step = 0; step < 30; ++step) {
     coverSome(&layout, &rng);
-    varySome(&layout, &rng);
     layout.settle();
     layout.keep();
     EXPECT_NEAR(layout.weightedViolations(), layout.tallies().violations(), 1e-6);
