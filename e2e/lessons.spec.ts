@@ -21,6 +21,17 @@ async function choose(page: Page, legend: string, label: string): Promise<void> 
 
 const praise = (page: Page) => page.getByTestId('praise');
 
+test('a lesson that is opened by its link does not wait for a drawing behind it', async ({
+  page,
+}) => {
+  await page.goto('./?room=lessons&lesson=graph');
+  await expect(page.locator('[data-lesson="graph"] svg').first()).toBeVisible();
+  await expect(page.locator('.scene canvas')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Back to the drawing' }).click();
+  await expect(page.locator('.scene canvas')).toBeVisible();
+  await expect(page.getByTestId('verdict')).toContainText('Buildable');
+});
+
 test('guiding graph: beams cover every edge', async ({ page }) => {
   await openLesson(page, 'graph');
   // Lines have 8, 6 and 10 edges; the last takes two beams.

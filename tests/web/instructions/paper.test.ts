@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import {
   MARGIN,
   PAPERS,
-  PART_CELL,
   pageSteps,
+  partCell,
   partsOnPage,
   stepBoxes,
   wrap,
@@ -27,9 +27,22 @@ describe.each(['A4', 'Letter'] as const)('a page of %s', (paper) => {
   });
 
   it('has whole rows of parts', () => {
-    const rows = partsOnPage(paper) / PART_CELL.columns;
-    expect(Number.isInteger(rows)).toBe(true);
-    expect(40 + rows * PART_CELL.height).toBeLessThan(height - 2 * MARGIN);
+    expect(partsOnPage(paper) % partCell(paper, partsOnPage(paper)).columns).toBe(0);
+  });
+
+  it('has room for each number of parts, in pictures that are the larger the fewer they are', () => {
+    let last = Number.POSITIVE_INFINITY;
+    for (let count = 1; count <= partsOnPage(paper); count++) {
+      const cell = partCell(paper, count);
+      const rows = Math.ceil(count / cell.columns);
+      expect(40 + rows * cell.height).toBeLessThan(height - 2 * MARGIN);
+      expect(cell.columns * cell.width).toBeLessThanOrEqual(width - 2 * MARGIN + 1e-9);
+      expect(cell.picture.width).toBeLessThan(cell.width);
+      expect(cell.height - cell.picture.height).toBeGreaterThan(52);
+      expect(cell.picture.width).toBeLessThanOrEqual(last);
+      last = cell.picture.width;
+    }
+    expect(last).toBeGreaterThan(115);
   });
 });
 

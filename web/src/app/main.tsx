@@ -4,6 +4,7 @@ import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
 import { decodeShare } from '../share/codec.ts';
+import type { SolverClient } from '../solver/client.ts';
 import { createSolverPool } from '../solver/solver-pool.ts';
 import { SketchLibrary } from '../state/library.ts';
 import { keptPreferences, type TextStorage } from '../state/preferences.ts';
@@ -11,6 +12,7 @@ import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/stor
 import { type SavedSketch, SketchStore } from '../state/store.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
+import { findRoom } from '../ui/rooms/room-table.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
 import { loadPartNames } from '../ui/text/part-names.ts';
@@ -31,6 +33,7 @@ import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
+import { SETTLED } from './first-model.ts';
 import { followLanguage } from './follow-language.ts';
 import { listenToKeys } from './keyboard.ts';
 import type { MadeModel } from './made-model.ts';
@@ -183,6 +186,26 @@ function same(a: unknown, b: unknown): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
+/** What comes after the first picture, which needs neither the solver nor the other examples. */
+async function settle(
+  controller: PageController,
+  client: SolverClient,
+  made: MadeModel | null,
+): Promise<void> {
+  const { state } = controller;
+  const drawn = controller.modelDrawn();
+  if (made && findRoom(state.room.value) === null) {
+    await Promise.race([drawn, new Promise((late) => setTimeout(late, PICTURE_PATIENCE_MS))]);
+  }
+  client.warmUp();
+  const settled = made ? controller.run.confirm(made) : drawn;
+  settled.then(
+    () => performance.mark(SETTLED),
+    () => undefined,
+  );
+  watchSketch(state, client);
+}
+
 async function start(): Promise<void> {
   const store = new SketchStore();
   const preferences = keptPreferences(textStorage('localStorage'));
@@ -203,8 +226,9 @@ async function start(): Promise<void> {
     throw new Error('index.html has no #app');
   }
   root.replaceChildren();
-  render(<Root page={page} />, root);
+  // Before anything is drawn: behind a room nothing has to be.
   followRoom(state.room);
+  render(<Root page={page} />, root);
   listenToDrops(state.dropping, controller.files.openFile);
   listenToKeys(
     {
@@ -240,16 +264,7 @@ async function start(): Promise<void> {
     const name = store.sketch.value.name;
     document.title = name ? `${name} – ${text.app.name}` : text.app.name;
   });
-  const drawn = controller.modelDrawn();
-  if (made) {
-    // The solver and the other examples come after the picture, which needs neither.
-    await Promise.race([drawn, new Promise((late) => setTimeout(late, PICTURE_PATIENCE_MS))]);
-  }
-  client.warmUp();
-  if (made) {
-    void controller.run.confirm(made);
-  }
-  watchSketch(state, client);
+  await settle(controller, client, made);
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
 }
 

@@ -4,6 +4,7 @@ import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
 import type { PointerInput, ToolView } from '../tools/tool.ts';
 import type { PointerTaker } from '../ui/page.ts';
+import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
@@ -185,6 +186,7 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#view?.setSection(state.section.value)),
       effect(() => this.#view?.display(state.display.value)),
       effect(() => this.#view?.markParts(state.partMarks.value)),
+      effect(() => this.#view?.setCovered(findRoom(state.room.value) !== null)),
       effect(() => this.#showOverlay(host)),
     ];
     return () => {

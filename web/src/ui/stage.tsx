@@ -1,8 +1,9 @@
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { CommandButton } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { PartCard } from './part-card.tsx';
+import { findRoom } from './rooms/room-table.ts';
 import { text } from './text.ts';
 import { ToolOptions } from './tool-options.tsx';
 import { ViewBar } from './view-bar.tsx';
@@ -11,7 +12,18 @@ import { ViewBar } from './view-bar.tsx';
 export function Stage() {
   const page = usePage();
   const host = useRef<HTMLDivElement>(null);
-  useEffect(() => (host.current ? page.mountScene(host.current) : undefined), [page]);
+  // Behind a room that the page opens with, as a lesson by its link, nothing is drawn that nobody sees.
+  const uncovered = findRoom(page.room.value) === null;
+  const [wanted, setWanted] = useState(uncovered);
+  useEffect(() => {
+    if (uncovered) {
+      setWanted(true);
+    }
+  }, [uncovered]);
+  useEffect(
+    () => (wanted && host.current ? page.mountScene(host.current) : undefined),
+    [page, wanted],
+  );
   return (
     <main class="stage" aria-label={text.app.drawing}>
       <div ref={host} class="scene" />

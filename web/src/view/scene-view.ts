@@ -36,7 +36,6 @@ import type {
   StandardView,
   ThemeName,
   ViewMode,
-  ViewStats,
 } from './view-types.ts';
 
 /**
@@ -60,6 +59,7 @@ export class SceneView {
   #dimmed: boolean | ReadonlySet<number> = false;
   #frame = 0;
   #contextLost = false;
+  #covered = false;
 
   constructor(canvas: HTMLCanvasElement, options: SceneViewOptions) {
     this.#canvas = canvas;
@@ -187,11 +187,6 @@ export class SceneView {
     this.#rig.fit(points.length > 0 ? points : corners(DEFAULT_BOX), view);
   }
 
-  /** Looks from a standard side at what is looked at now. */
-  setView(view: StandardView): void {
-    this.#rig.look(view);
-  }
-
   /** Brings a place to the middle of the picture without turning. */
   centreOn(point: Vec3): void {
     this.#rig.centreOn(point);
@@ -210,10 +205,6 @@ export class SceneView {
   setProjection(projection: Projection): void {
     this.#rig.setProjection(projection);
     this.invalidate();
-  }
-
-  get projection(): Projection {
-    return this.#rig.projection;
   }
 
   setNavigation(navigation: Navigation): void {
@@ -264,15 +255,17 @@ export class SceneView {
 
   /** Asks for one more frame; many calls before it make one. */
   invalidate(): void {
-    if (this.#frame === 0 && !this.#contextLost) {
+    if (this.#frame === 0 && !this.#contextLost && !this.#covered) {
       this.#frame = requestAnimationFrame(this.#onFrame);
     }
   }
 
-  /** Cost of the last frame. */
-  stats(): ViewStats {
-    const { calls, triangles, lines } = this.#stage.renderer.info.render;
-    return { drawCalls: calls, triangles, lines };
+  /** While it is covered nothing is drawn; what changes meanwhile is seen afterwards. */
+  setCovered(covered: boolean): void {
+    this.#covered = covered;
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.invalidate();
   }
 
   /** The present view as a picture. @throws Error when the browser cannot make one. */

@@ -119,13 +119,6 @@ export interface Projected extends ScreenPoint {
   readonly visible: boolean;
 }
 
-/** Cost of the last frame drawn. */
-export interface ViewStats {
-  readonly drawCalls: number;
-  readonly triangles: number;
-  readonly lines: number;
-}
-
 /** A part as it is, as a pale hint of itself, or not at all. */
 export type PartLook = 'solid' | 'ghost' | 'hidden';
 

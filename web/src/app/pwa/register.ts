@@ -1,5 +1,5 @@
 import { chooseWords } from '../../ui/text/language.ts';
-import { FIRST_MODEL } from '../first-model.ts';
+import { SETTLED } from '../first-model.ts';
 import '../../../styles/update.css';
 
 const WORDS = chooseWords(
@@ -76,7 +76,8 @@ function begin(): void {
 }
 
 if ('serviceWorker' in navigator && import.meta.env.PROD) {
-  // What is on screen comes first: keeping all files for later would take the network from the first model.
+  // What is on screen comes first: keeping all files for later would take the network from the first model
+  // and from the solver.
   let begun = false;
   const beginOnce = () => {
     if (!begun) {
@@ -85,7 +86,7 @@ if ('serviceWorker' in navigator && import.meta.env.PROD) {
     }
   };
   new PerformanceObserver((list) => {
-    if (list.getEntriesByName(FIRST_MODEL).length > 0) {
+    if (list.getEntriesByName(SETTLED).length > 0) {
       beginOnce();
     }
   }).observe({ type: 'mark', buffered: true });

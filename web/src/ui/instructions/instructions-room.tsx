@@ -2,6 +2,7 @@ import { useEffect, useMemo, useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { Segmented } from '../controls.tsx';
+import { modelComing } from '../model-coming.ts';
 import type { ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
 import type { Book } from './book.ts';
@@ -13,6 +14,7 @@ import { PdfButtons } from './pdf-buttons.tsx';
 import { StepsView } from './steps-view.tsx';
 import './instructions.css';
 import { inWords } from '../text/sentences.ts';
+import { text } from '../text.ts';
 
 type Tab = keyof typeof words.tabs;
 type Loaded =
@@ -24,6 +26,13 @@ type Loaded =
 export function InstructionsRoom() {
   const page = usePage();
   const shown = page.shown.value;
+  if (modelComing(page)) {
+    return (
+      <p class="instructions-note" role="status">
+        {text.rooms.solving}
+      </p>
+    );
+  }
   return shown && shown.model.parts.length > 0 ? (
     <Instructions key={shown.json} shown={shown} title={page.store.sketch.value.name || 'Model'} />
   ) : (

@@ -21,7 +21,9 @@ export function notesOf(book: Book, index: number): StepNotes {
   const times = timesOf(group);
   const mirrored = group.mirrored.filter(Boolean).length;
   const apart = [
-    fillWords(words.sub, { n: step.groupStep, all: step.groupSteps }),
+    step.groupSteps > 1
+      ? fillWords(words.sub, { n: step.groupStep, all: step.groupSteps })
+      : words.subOnly,
     ...(times > 1 ? [fillWords(words.timesLabel, { n: times })] : []),
     ...(mirrored > 0 ? [fillWords(words.mirrored, { n: mirrored })] : []),
   ];

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { inWords } from '../text/sentences.ts';
+import { text } from '../text.ts';
 import {
   FILE_ROWS,
   type FileGroup,
@@ -14,7 +15,8 @@ import { shareWords } from './share-words.ts';
 const GROUPS: readonly FileGroup[] = ['building', 'buying', 'shapes', 'stress', 'own'];
 
 /** Every file that the sketch or its model can be written as. */
-export function FileList({ source }: { readonly source: FileSource }) {
+export function FileList(props: { readonly source: FileSource; readonly solving: boolean }) {
+  const { source, solving } = props;
   const [said, setSaid] = useState<{ readonly text: string; readonly bad: boolean }>({
     text: '',
     bad: false,
@@ -36,7 +38,11 @@ export function FileList({ source }: { readonly source: FileSource }) {
   return (
     <section class="share-card share-files">
       <h3>{shareWords.filesTitle}</h3>
-      {source.model ? null : <p class="quiet">{shareWords.needsModel}</p>}
+      {source.model ? null : (
+        <p class="quiet" role="status">
+          {solving ? text.rooms.solving : shareWords.needsModel}
+        </p>
+      )}
       {GROUPS.map((group) => (
         <div key={group}>
           <h4>{shareWords.groups[group]}</h4>

@@ -3,6 +3,7 @@ import { scale, type Vec3 } from '../../geometry/vec.ts';
 import { sharedState } from '../../share/shared-state.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
+import { modelComing } from '../model-coming.ts';
 import { usePage } from '../page-context.ts';
 import { FileList } from './file-list.tsx';
 import { LinkSection } from './link-section.tsx';
@@ -35,7 +36,9 @@ export function ShareRoom() {
       current = false;
     };
   }, [sketch, preferences]);
-  const shown = page.shown.value;
+  const solving = modelComing(page);
+  // A layout that is still being improved is nothing to take away.
+  const shown = solving ? null : page.shown.value;
   if (sketch.lines.length === 0 && !shown) {
     return <p class="share-empty">{shareWords.empty}</p>;
   }
@@ -47,6 +50,7 @@ export function ShareRoom() {
       {link.refusal ? <p role="alert">{inWords(link.refusal)}</p> : null}
       {link.url ? <LinkSection url={link.url} title={title} /> : null}
       <FileList
+        solving={solving}
         source={{
           title,
           sketch,

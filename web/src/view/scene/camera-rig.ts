@@ -60,10 +60,6 @@ export class CameraRig {
     return this.#projection === 'perspective' ? this.#perspective : this.#orthographic;
   }
 
-  get projection(): Projection {
-    return this.#projection;
-  }
-
   /** Width divided by height of the picture. */
   setAspect(aspect: number): void {
     this.#aspect = aspect > 0 ? aspect : 1;
@@ -126,14 +122,6 @@ export class CameraRig {
     const { target, away } = fitPoints(points, direction, this.#aspect, PAGE_MARGINS);
     const eye = target.clone().addScaledVector(direction, away);
     this.#moveTo(target, eye, this.#heightAt(away));
-  }
-
-  /** Looks from a standard direction at what is looked at now. */
-  look(view: StandardView): void {
-    const direction = new Vector3(...VIEW_DIRECTIONS[view]).normalize();
-    const away = this.camera.position.distanceTo(this.controls.target);
-    const target = this.controls.target.clone();
-    this.#moveTo(target, target.clone().addScaledVector(direction, away));
   }
 
   /**

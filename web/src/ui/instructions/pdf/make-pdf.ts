@@ -24,10 +24,10 @@ import { drawApart, drawPartPicture, drawStep } from '../step-picture.ts';
 import {
   MARGIN,
   PAPERS,
-  PART_CELL,
   type PageBox,
   type PaperName,
   pageSteps,
+  partCell,
   partsOnPage,
   printable,
   stepBoxes,
@@ -41,6 +41,8 @@ const PART_PICTURE = { width: 396, height: 252, margin: 6 } as const;
 const INK = rgb(0.1, 0.11, 0.14);
 const QUIET = rgb(0.34, 0.37, 0.42);
 const BOX = rgb(0.89, 0.93, 0.99);
+/** Behind steps of subassemblies. */
+const APART = rgb(1, 0.985, 0.935);
 const ACCENT = rgb(1, 0.48, 0);
 const WARN = rgb(0.54, 0.32, 0);
 
@@ -183,18 +185,18 @@ async function partsPage(press: Press, list: readonly PartCount[]): Promise<void
     size: 22,
     strong: true,
   });
-  const cell = (width - 2 * MARGIN) / PART_CELL.columns;
+  const cell = partCell(press.paper, list.length);
   for (const [i, row] of list.entries()) {
-    const x = MARGIN + 4 + (i % PART_CELL.columns) * cell;
-    const top = height - MARGIN - 40 - PART_CELL.height * Math.floor(i / PART_CELL.columns);
-    const y = top - PART_CELL.picture.height;
-    page.drawImage(await partImage(press, row), { x, y, ...PART_CELL.picture });
+    const x = MARGIN + 4 + (i % cell.columns) * cell.width;
+    const top = height - MARGIN - 40 - cell.height * Math.floor(i / cell.columns);
+    const y = top - cell.picture.height;
+    page.drawImage(await partImage(press, row), { x, y, ...cell.picture });
     const count = write(press, page, `${row.count}x`, { x, y: y - 18, size: 18, strong: true });
     write(press, page, row.part, { x: x + count + 10, y: y - 18, size: 11 });
     const name = partName(row.part, press.book.shelf.catalogue);
     // The colour first: what is cut off of a long name says less.
     const title = `${colourWord(row.color)}: ${name}`;
-    const lines = wrap(printable(title), cell - 12, (line) =>
+    const lines = wrap(printable(title), cell.width - 12, (line) =>
       press.plain.widthOfTextAtSize(line, 10),
     );
     for (const [k, line] of lines.entries()) {
@@ -231,6 +233,18 @@ async function stepBox(press: Press, page: PDFPage, index: number, box: PageBox)
   if (!step) {
     return;
   }
+  const apart = step.group.id !== 0;
+  if (apart) {
+    page.drawRectangle({
+      x: box.x - 12,
+      y: box.y - 2,
+      width: box.width + 24,
+      height: box.height + 8,
+      color: APART,
+      borderColor: rgb(0.88, 0.8, 0.62),
+      borderWidth: 0.7,
+    });
+  }
   const used = await partsBox(press, page, index, box);
   const place = { x: box.x, y: box.y, width: box.width, height: box.height - used - 6 };
   const size = {
@@ -240,7 +254,8 @@ async function stepBox(press: Press, page: PDFPage, index: number, box: PageBox)
     maxScale: 24 * DENSITY,
   };
   const { picture, arrows } = drawStep(book, index, size);
-  page.drawImage(await embed(press, picture), place);
+  const image = await embed(press, picture);
+  page.drawImage(image, apart ? { ...place, blendMode: MULTIPLY } : place);
   for (const arrow of arrows) {
     const path = arrowPath(
       {
@@ -320,7 +335,7 @@ async function tilesOf(press: Press, index: number): Promise<{ image: PDFImage; 
   return tiles;
 }
 
-/** White of a part's picture vanishes on the coloured box. */
+/** White of a picture vanishes on a coloured box. */
 const MULTIPLY = 'Multiply' as NonNullable<Parameters<PDFPage['drawImage']>[1]>['blendMode'] &
   string;
 

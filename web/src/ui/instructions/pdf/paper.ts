@@ -41,13 +41,40 @@ export function stepBoxes(paper: PaperName, count: number): readonly PageBox[] {
     : [box(MARGIN + 16 + half + 8, half), box(MARGIN + 16, half)];
 }
 
-/** Three parts in a row can be told apart at arm's length, points. */
-export const PART_CELL = { columns: 3, height: 140, picture: { width: 126, height: 80 } } as const;
+/** Where a part of the list is: three in a row can still be told apart at arm's length. Points. */
+export interface PartCell {
+  readonly columns: number;
+  readonly width: number;
+  readonly height: number;
+  readonly picture: { readonly width: number; readonly height: number };
+}
+
+const LEAST_CELL = { columns: 3, height: 140 } as const;
+const PICTURE_SHAPE = 63 / 40;
+/** Count, number and three lines of the name below a picture. */
+const CELL_WORDS = 62;
+const LARGEST_PICTURE = 210;
+
+/** Height of a page's parts, below its title. */
+function partsRoom(paper: PaperName): number {
+  return PAPERS[paper][1] - 2 * MARGIN - 60;
+}
 
 /** How many parts of the list fit a page. */
 export function partsOnPage(paper: PaperName): number {
-  const [, height] = PAPERS[paper];
-  return PART_CELL.columns * Math.floor((height - 2 * MARGIN - 60) / PART_CELL.height);
+  return LEAST_CELL.columns * Math.floor(partsRoom(paper) / LEAST_CELL.height);
+}
+
+/** Cells in which so many parts have the largest pictures that one page has room for. */
+export function partCell(paper: PaperName, count: number): PartCell {
+  const cells = [LEAST_CELL.columns, 2].map((columns): PartCell => {
+    const width = (PAPERS[paper][0] - 2 * MARGIN) / columns;
+    const room = partsRoom(paper) / Math.ceil(Math.max(1, count) / columns);
+    const wide = Math.min(width - 12, LARGEST_PICTURE, (room - CELL_WORDS) * PICTURE_SHAPE);
+    const picture = { width: wide, height: wide / PICTURE_SHAPE };
+    return { columns, width, height: Math.min(room, picture.height + CELL_WORDS + 12), picture };
+  });
+  return cells.reduce((best, cell) => (cell.picture.width > best.picture.width ? cell : best));
 }
 
 /** Pages of the book: which steps share one. */

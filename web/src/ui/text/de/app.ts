@@ -23,6 +23,7 @@ export const APP_DE: Words<typeof APP_EN> = {
   },
   rooms: {
     back: 'Zurück zur Zeichnung',
+    solving: 'Das Modell wird gerade berechnet; gleich ist es hier.',
     failed:
       'Diese Seite ließ sich nicht laden. Prüfen Sie die Verbindung und versuchen Sie es noch einmal.',
   },

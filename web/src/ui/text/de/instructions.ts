@@ -10,6 +10,7 @@ export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
   tabsLabel: 'Was gezeigt wird',
   step: 'Schritt {n} von {all}',
   sub: 'Getrennt bauen: {n} von {all}',
+  subOnly: 'Getrennt bauen',
   timesLabel: '{n}-mal bauen',
   mirrored: '{n} davon gespiegelt',
   putIn: 'Das getrennt Gebaute einsetzen',

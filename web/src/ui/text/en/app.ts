@@ -22,6 +22,7 @@ export const APP_EN = {
   },
   rooms: {
     back: 'Back to the drawing',
+    solving: 'The model is being worked out; it will be here in a moment.',
     failed: 'This page could not be loaded. Check the connection and try again.',
   },
   counts: {

@@ -10,6 +10,7 @@ export const INSTRUCTIONS_EN = {
   tabsLabel: 'What to show',
   step: 'Step {n} of {all}',
   sub: 'Build apart: {n} of {all}',
+  subOnly: 'Build apart',
   timesLabel: 'Build this {n} times',
   mirrored: '{n} of them mirrored',
   putIn: 'Put in the part built apart',
