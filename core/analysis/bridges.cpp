@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "analysis/axle_lines.h"
 #include "analysis/coverage.h"
 #include "analysis/node_index.h"
 #include "analysis/union_find.h"
@@ -20,12 +21,65 @@ using lattice::Vec3;
 class Bridges {
  public:
   Bridges(const Scene& scene, const std::vector<EdgeCover>& edges)
-      : scene_(scene), edges_(edges), nodes_(edges) {}
+      : scene_(scene), edges_(edges), nodes_(edges), axles_(scene) {}
 
   //! \param first, last Indices of the first and the last of a line's uncovered edges in a row.
   [[nodiscard]] bool bridged(int first, int last) const {
+    const int length = last - first + 1;
+    if (length <= static_cast<int>(kBridgeReach) && bridgedByMechanism(first, last)) {
+      return true;
+    }
+    // A hole axis is fixed for beams: an axle has none.
+    const int line = edge(first).line;
+    if (scene_.sketch->lines[static_cast<std::size_t>(line)].holeAxis.has_value()) {
+      return false;
+    }
+    const std::vector<int> axles = axles_.along(edge(first).from, edge(last).to);
+    return std::any_of(
+        axles.begin(), axles.end(), [&](int axle) { return bridgedByAxle(axle, first, last); });
+  }
+
+ private:
+  [[nodiscard]] const EdgeCover& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
+
+  [[nodiscard]] bool bridgedByMechanism(int first, int last) const {
     const std::set<int> onOneSide = beamsFrom(nodes_.from(first), first, last);
     const std::set<int> onTheOther = beamsFrom(nodes_.to(last), first, last);
+    UnionFind groups = groupsNear(first, last);
+    return std::any_of(onOneSide.begin(), onOneSide.end(), [&](int a) {
+      return std::any_of(onTheOther.begin(), onTheOther.end(), [&](int b) {
+        return groups.find(a) == groups.find(b);
+      });
+    });
+  }
+
+  //! Whether an axle along these edges holds a beam, and wherever other lines meet them one of
+  //! theirs is joined to it nearby.
+  [[nodiscard]] bool bridgedByAxle(int axle, int first, int last) const {
+    if (axles_.heldBy(axle).empty()) {
+      return false;
+    }
+    UnionFind groups = groupsNear(first, last);
+    std::set<int> nodes{nodes_.from(first)};
+    for (int e = first; e <= last; ++e) {
+      nodes.insert(nodes_.to(e));
+    }
+    return std::all_of(nodes.begin(), nodes.end(), [&](int node) {
+      const std::vector<int>& meeting = nodes_.edgesAt(node);
+      const bool alone = std::all_of(meeting.begin(), meeting.end(), [&](int e) {
+        const std::vector<int> along = axles_.along(edge(e).from, edge(e).to);
+        return (e >= first && e <= last) ||
+               std::find(along.begin(), along.end(), axle) != along.end();
+      });
+      const std::set<int> beams = beamsFrom(node, first, last);
+      return alone || std::any_of(beams.begin(), beams.end(), [&](int beam) {
+               return groups.find(beam) == groups.find(axle);
+             });
+    });
+  }
+
+  //! What good connections near these edges join, other than through the length of a beam.
+  [[nodiscard]] UnionFind groupsNear(int first, int last) const {
     std::set<int> mechanism;
     for (const model::Connection& c : scene_.connections) {
       if (distance(c.at, edge(first).from, edge(last).to) <= kBridgeReach) {
@@ -39,15 +93,8 @@ class Bridges {
         groups.join(c.male, c.female);
       }
     }
-    return std::any_of(onOneSide.begin(), onOneSide.end(), [&](int a) {
-      return std::any_of(onTheOther.begin(), onTheOther.end(), [&](int b) {
-        return groups.find(a) == groups.find(b);
-      });
-    });
+    return groups;
   }
-
- private:
-  [[nodiscard]] const EdgeCover& edge(int i) const { return edges_[static_cast<std::size_t>(i)]; }
 
   //! The beams that one meets first on every way that leads away from a node, not through the edges
   //! first..last, within kBridgeReach edges.
@@ -90,6 +137,7 @@ class Bridges {
   const Scene& scene_;
   const std::vector<EdgeCover>& edges_;
   NodeIndex nodes_;
+  AxleLines axles_;
 };
 
 //! Where the stack of a node has something in it: layers of beams, and of all holes.
@@ -165,8 +213,7 @@ ItemResult checkCoverage(const Scene& scene, const std::vector<EdgeCover>& cover
       ++last;
     }
     const int length = static_cast<int>(last - i) + 1;
-    if (length <= static_cast<int>(kBridgeReach) &&
-        bridges.bridged(static_cast<int>(i), static_cast<int>(last))) {
+    if (bridges.bridged(static_cast<int>(i), static_cast<int>(last))) {
       bridged += length;
     } else {
       const Vec3 middle = 0.5 * (coverage[i].from + coverage[last].to);

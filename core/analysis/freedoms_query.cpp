@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "analysis/axle_lines.h"
+
 namespace liftarm::analysis {
 
 namespace {
@@ -66,6 +68,37 @@ int partOf(const std::vector<int>& lines, Vec3 place, const std::vector<EdgeCove
   return best;
 }
 
+bool coversAny(int part, const std::vector<int>& lines, const std::vector<EdgeCover>& coverage) {
+  return std::any_of(coverage.begin(), coverage.end(), [&](const EdgeCover& edge) {
+    return std::count(lines.begin(), lines.end(), edge.line) > 0 &&
+           std::any_of(edge.covers.begin(), edge.covers.end(), [&](const Cover& cover) {
+             return cover.part == part;
+           });
+  });
+}
+
+//! For lines without a beam, which an axle stands for: the nearest beam that it holds and that is
+//! not of the other side; the axle itself where it holds none.
+int partOnAxle(const AxleLines& axles,
+               const std::vector<int>& lines,
+               const std::vector<int>& others,
+               Vec3 place,
+               const std::vector<EdgeCover>& coverage) {
+  int best = -1;
+  double nearest = 1e9;
+  for (const int axle : axles.ofLines(lines, coverage)) {
+    best = best < 0 ? axle : best;
+    for (const model::Connection* c : axles.heldBy(axle)) {
+      const double distance = lattice::length(c->at - place);
+      if (distance < nearest - kSamePlace && !coversAny(c->female, others, coverage)) {
+        nearest = distance;
+        best = c->female;
+      }
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<JointLine> findJointLines(const Scene& scene, const std::vector<EdgeCover>& coverage) {
@@ -73,12 +106,16 @@ std::vector<JointLine> findJointLines(const Scene& scene, const std::vector<Edge
   if (!scene.sketch.has_value()) {
     return lines;
   }
+  const AxleLines axles(scene);
   for (const sketch::Joint& joint : scene.sketch->joints) {
     const auto [first, second] = sidesOf(joint, coverage);
-    lines.push_back({joint.at,
-                     joint.axis,
-                     partOf(first, joint.at, coverage),
-                     partOf(second, joint.at, coverage)});
+    JointLine line{joint.at,
+                   joint.axis,
+                   partOf(first, joint.at, coverage),
+                   partOf(second, joint.at, coverage)};
+    line.a = line.a < 0 ? partOnAxle(axles, first, second, joint.at, coverage) : line.a;
+    line.b = line.b < 0 ? partOnAxle(axles, second, first, joint.at, coverage) : line.b;
+    lines.push_back(line);
   }
   return lines;
 }
@@ -94,6 +131,13 @@ FreedomsQuery makeFreedomsQuery(const Scene& scene,
     query.weight.push_back(part.part != nullptr ? part.part->mass : 0.0);
   }
   query.joints = findJointLines(scene, coverage);
+  for (const JointLine& joint : query.joints) {
+    for (const int part : {joint.a, joint.b}) {
+      if (part >= 0) {
+        query.frame[static_cast<std::size_t>(part)] = true;  // an axle that is one side of a joint
+      }
+    }
+  }
   return query;
 }
 

@@ -223,6 +223,35 @@ const std::vector<BadCase>& badCases() {
            m.sketchJson.insert(m.sketchJson.rfind(last) + last.size(), R"(,"exact":true)");
          });
        }},
+      {"AxleShorterThanItsLine",
+       "coverage ",
+       "uncovered",
+       [] {
+         return changed(testing::frameOfAxles(), [](Model& m) {
+           const std::string last = R"({"from":[4,0,0],"to":[4,4,0]})";
+           m.sketchJson.replace(
+               m.sketchJson.rfind(last), last.size(), R"({"from":[4,0,0],"to":[4,6,0]})");
+         });
+       }},
+      {"AxleOnALineThatFixesTheHoleAxisOfBeams",
+       "coverage ",
+       "uncovered",
+       [] {
+         return changed(testing::frameOfAxles(), [](Model& m) {
+           const std::string last = R"("to":[4,4,0])";
+           m.sketchJson.insert(m.sketchJson.rfind(last) + last.size(), R"(,"holeAxis":"x")");
+         });
+       }},
+      {"AxleBesideItsLine",
+       "coverage ",
+       "uncovered",
+       [] {
+         return changed(testing::frameOfAxles(), [](Model& m) {
+           for (std::size_t i = 7; i < m.parts.size(); ++i) {
+             m.parts[i].pose.position.x = 3;
+           }
+         });
+       }},
       {"BeamWithTheWrongHoleAxis",
        "coverage ",
        "uncovered",
@@ -271,6 +300,28 @@ TEST(Check, CountsWhatTheModelHolds) {
   EXPECT_NEAR(report.counts.mass, 4 * 2.58 + 4 * 0.20, 1e-9);
   EXPECT_NEAR(report.counts.size.x, 8.9, 1e-9);
   EXPECT_NEAR(report.counts.size.z, 2.0, 1e-9);
+}
+
+TEST(Check, AnAxleStandsForALineOnlyWhereItHoldsAllThatMeetsIt) {
+  // A third line meets that of the second axle half way; its beam hangs on the first beam alone.
+  Model model = testing::frameOfAxles();
+  model.parts[1] = beamAt("40490", {4, 4, 0}, kX, kY);
+  model.parts.push_back(beamAt("40490", {8, 0, 0}, kY, kZ));
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {4, 0, 0}},
+                                        {{0, 4, 0}, {8, 4, 0}},
+                                        {{0, 0, 0}, {0, 4, 0}},
+                                        {{4, 0, 0}, {4, 4, 0}},
+                                        {{4, 2, 0}, {8, 2, 0}}});
+  const std::string text = messages(check(model));
+  EXPECT_NE(text.find("lines[3] is neither covered nor bridged"), std::string::npos) << text;
+  EXPECT_EQ(text.find("lines[2]"), std::string::npos) << text;
+}
+
+TEST(Check, AnAxleThatSlidesStandsForNoLine) {
+  Model model = testing::frameOfAxles();
+  model.parts.erase(model.parts.begin() + 3, model.parts.begin() + 7);
+  const std::string text = messages(check(model));
+  EXPECT_NE(text.find("lines[2] is neither covered nor bridged"), std::string::npos) << text;
 }
 
 TEST(Check, AStackWithAnEmptyLayerHasAGap) {

@@ -142,13 +142,31 @@ Model squareWithAxle() {
   return model;
 }
 
+Model frameOfAxles() {
+  Model model;
+  model.name = "Frame of axles";
+  model.parts = {beamAt("32316", {2, 0, 0}, kX, kY), beamAt("32316", {2, 4, 0}, kX, kY)};
+  for (const double x : {0.0, 4.0}) {
+    model.parts.push_back(pinAt("44294", {x, 2, 0}, kY));
+    for (const double y : {-1.0, 1.0, 3.0, 5.0}) {
+      model.parts.push_back(partAt("3713", {x, y, 0}));
+    }
+  }
+  model.sketchJson = sketchOf({{{0, 0, 0}, {4, 0, 0}},
+                               {{0, 4, 0}, {4, 4, 0}},
+                               {{0, 0, 0}, {0, 4, 0}},
+                               {{4, 0, 0}, {4, 4, 0}}});
+  return model;
+}
+
 std::vector<Model> buildableModels() {
   return {squareFrame(),
           pythagoreanTriangle(),
           cornerOfTwoBeams(),
           bridgedLine(),
           stackedThinBeams(),
-          squareWithAxle()};
+          squareWithAxle(),
+          frameOfAxles()};
 }
 
 }  // namespace liftarm::testing

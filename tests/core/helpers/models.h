@@ -48,6 +48,10 @@ model::Model stackedThinBeams();
 //! \brief A square with a 2-hole beam whose axle hole carries an axle with a bush at its end.
 model::Model squareWithAxle();
 
+//! \brief Two beams along x at y = 0 and 4 (parts 0, 1), and between them at x = 0 and 4 an axle of
+//! seven with four bushes that stands for the line along y (parts 2 to 6, and 7 to 11).
+model::Model frameOfAxles();
+
 //! \brief All of these.
 std::vector<model::Model> buildableModels();
 
