@@ -40,8 +40,8 @@ std::vector<EdgeCover> findCoverage(const Scene& scene);
 
 //! \brief Item 5 of DESIGN 5: every unit edge is covered or bridged.
 //! \details Bridged: the beams that go on at both ends of the uncovered edges are joined to each
-//! other by connections within kBridgeReach of them, or an axle that cannot slide out lies along the
-//! edges and is joined to a beam of the other lines at every node where they meet these.
+//! other by connections within kBridgeReach of them, or an axle that cannot slide out lies along
+//! the edges and is joined to a beam of the other lines at every node where they meet these.
 ItemResult checkCoverage(const Scene& scene, const std::vector<EdgeCover>& coverage);
 
 //! \brief Empty layers in the stacks of beams at the nodes of the sketch (paper 4.3), the sum over

@@ -37,4 +37,15 @@ std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
   };
 }
 
+std::function<int(const search::LayoutSnapshot&)> makeHeld(const layout::LayoutProblem& problem,
+                                                           const mechanisms::MechanismTable& table,
+                                                           const sketch::Sketch& sketch) {
+  const std::string text = sketch::writeSketch(sketch);
+  return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
+    const model::Model model = buildModel(problem, table, snapshot, "", text);
+    const analysis::CheckReport check = analysis::checkModel(model, parts::Catalogue::builtIn());
+    return check.buildable ? check.motion.held.internal : -1;
+  };
+}
+
 }  // namespace liftarm::design

@@ -24,4 +24,10 @@ std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
     const mechanisms::MechanismTable& table,
     const sketch::Sketch& sketch);
 
+//! \brief AnnealingOptions::held: freedoms of the real model with friction, -1 where a check fails.
+//! \pre problem and table outlive the answer.
+std::function<int(const search::LayoutSnapshot&)> makeHeld(const layout::LayoutProblem& problem,
+                                                           const mechanisms::MechanismTable& table,
+                                                           const sketch::Sketch& sketch);
+
 }  // namespace liftarm::design

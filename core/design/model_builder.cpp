@@ -158,6 +158,9 @@ class Builder {
         addBent(runId, beam);
       }
     }
+    if (cover.axle.used()) {
+      addAxle(run, cover);
+    }
     for (std::size_t b = 1; b < cover.beams.size(); ++b) {
       const Beam& before = cover.beams[b - 1];
       const Beam& beam = cover.beams[b];
@@ -166,6 +169,43 @@ class Builder {
         addPin(cover.axis, layout::holePosition(graph_, run, cover.axis, node, low), run.piece);
       }
     }
+  }
+
+  //! An axle and its bushes, all crosses turned alike.
+  void addAxle(const guide::GuideRun& run, const Cover& cover) {
+    const layout::Axle& axle = cover.axle;
+    const layout::AxlePart& known = layout::axleParts()[at(axle.part)];
+    const Vec3 wing = lattice::unitVector(cover.axis);
+    const double middle = 0.5 * static_cast<double>(axle.start + axle.last());
+    addCrossed(known.part,
+               known.end,
+               axle.turned ? -run.direction : run.direction,
+               wing,
+               layout::holePosition(graph_, run, cover.axis, middle, 0),
+               run.piece);
+    for (int i = axle.start; i <= axle.last(); ++i) {
+      if (axle.hasBush(i)) {
+        addCrossed(layout::kBush,
+                   catalogued(layout::kBush).features.front().axis,
+                   run.direction,
+                   wing,
+                   layout::holePosition(graph_, run, cover.axis, i, 0),
+                   run.piece);
+      }
+    }
+  }
+
+  //! A part of one axle or axle hole, with the direction `end` of its own turned to `direction`.
+  //! \pre The wing is perpendicular to the direction.
+  void addCrossed(
+      const std::string& id, Vec3 end, Vec3 direction, Vec3 wing, Vec3 centre, int piece) {
+    const parts::Part& part = catalogued(id);
+    const parts::Feature& feature = part.features.front();
+    const Vec3 own = *feature.wing;
+    const Mat3 turned =
+        lattice::fromColumns(direction, wing, lattice::cross(direction, wing)) *
+        lattice::transposed(lattice::fromColumns(end, own, lattice::cross(end, own)));
+    parts_.push_back({id, part.color, {centre - turned * feature.center, turned}, -1, 0, piece});
   }
 
   //! A pin through two holes: the one at `lower`, and the next along the axis.

@@ -22,6 +22,26 @@ Error invalid(const std::string& message) {
   return {Status::kInvalidInput, message};
 }
 
+//! Axles that cover lines, by the same list as other connecting parts.
+void limitAxles(Settings* settings) {
+  auto& limits = settings->annealing.supply.connectors;
+  std::vector<int> axles;
+  for (const int axle : settings->annealing.axles) {
+    const std::string& id = layout::axleParts()[static_cast<std::size_t>(axle)].part;
+    const auto limit = settings->owned.find(id);
+    if (limit != settings->owned.end() && limit->second == 0) {
+      continue;
+    }
+    axles.push_back(axle);
+    const bool known = std::any_of(
+        limits.begin(), limits.end(), [&](const auto& entry) { return entry.first == id; });
+    if (limit != settings->owned.end() && !known) {
+      limits.emplace_back(id, limit->second);
+    }
+  }
+  settings->annealing.axles = axles;
+}
+
 }  // namespace
 
 base::Result<bool> applyOwned(Settings* settings, const std::string& partId, double count) {
@@ -92,6 +112,7 @@ base::Result<bool> limitSearch(Settings* settings) {
     }
   }
   settings->connectors = connectors;
+  limitAxles(settings);
   return true;
 }
 

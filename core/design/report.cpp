@@ -34,7 +34,7 @@ void addBareLines(const ReportInput& input, json* problems) {
   const search::LayoutSnapshot& best = input.search.best();
   const guide::GuidingGraph& graph = input.problem.graph;
   for (std::size_t r = 0; r < best.covers.size(); ++r) {
-    if (!best.covers[r].beams.empty()) {
+    if (!best.covers[r].empty()) {
       continue;
     }
     const guide::GuideRun& run = graph.runs[r];
@@ -140,6 +140,7 @@ std::string makeReport(const ReportInput& input) {
       {"beams", check.counts.beams},
       {"beamsLowerBound", guide::beamsLowerBound(input.problem.graph)},
       {"bricks", check.counts.bricks},
+      {"axles", tallies.axles},
       // By the layout, which knows whose line each beam lies on; from the placed parts alone, a
       // beam beside a parallel line one module away counts for both.
       {"gaps", tallies.gaps},

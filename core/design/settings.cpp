@@ -7,6 +7,7 @@
 
 #include "design/earlier_json.h"
 #include "design/owned_parts.h"
+#include "design/part_lists.h"
 #include "layout/stack.h"
 #include "parts/catalogue.h"
 
@@ -81,6 +82,7 @@ struct SwitchKey {
 constexpr std::array<SwitchKey, 13> kSwitchKeys{{
     {"search.corners", &search::SearchParts::corners},
     {"search.frames", &search::SearchParts::frames},
+    {"search.axles", &search::SearchParts::axles},
     {"search.focus", &search::SearchParts::focus},
     {"search.pairs", &search::SearchParts::pairs},
     {"search.many", &search::SearchParts::many},
@@ -95,20 +97,6 @@ constexpr std::array<SwitchKey, 13> kSwitchKeys{{
 
 Error invalid(const std::string& message) {
   return {Status::kInvalidInput, message};
-}
-
-std::vector<std::string> splitList(const std::string& text) {
-  std::vector<std::string> items;
-  std::string item;
-  for (const char c : text + ",") {
-    if (c != ',') {
-      item += c;
-    } else if (!item.empty()) {
-      items.push_back(item);
-      item.clear();
-    }
-  }
-  return items;
 }
 
 std::string numberText(double v) {
@@ -133,101 +121,8 @@ std::string textOf(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-//! Parts of one kind by their index. \param kind What they are called.
-base::Result<std::vector<int>> readForms(const std::string& key,
-                                         const std::string& kind,
-                                         const std::vector<std::string>& parts,
-                                         const std::vector<std::string>& items) {
-  std::vector<int> forms;
-  for (const std::string& id : items) {
-    const auto found = std::find(parts.begin(), parts.end(), id);
-    if (found == parts.end()) {
-      std::string known;
-      for (const std::string& part : parts) {
-        known += (known.empty() ? "" : ", ") + part;
-      }
-      return invalid("set." + key + ": " + id + " is no " + kind + "; use some of " + known);
-    }
-    forms.push_back(static_cast<int>(found - parts.begin()));
-  }
-  std::sort(forms.begin(), forms.end());
-  forms.erase(std::unique(forms.begin(), forms.end()), forms.end());
-  return forms;
-}
-
-std::vector<std::string> bentParts() {
-  std::vector<std::string> parts;
-  for (const layout::BentBeam& bent : layout::bentBeams()) {
-    parts.push_back(bent.part);
-  }
-  return parts;
-}
-
-std::vector<std::string> frameParts() {
-  std::vector<std::string> parts;
-  for (const layout::FrameBeam& frame : layout::frameBeams()) {
-    parts.push_back(frame.part);
-  }
-  return parts;
-}
-
-base::Result<bool> applyForms(Settings* settings,
-                              const std::string& key,
-                              const std::vector<std::string>& items) {
-  const bool bent = key == "bent";
-  base::Result<std::vector<int>> forms =
-      readForms(key, bent ? "bent beam" : "frame", bent ? bentParts() : frameParts(), items);
-  if (!forms.ok()) {
-    return forms.error();
-  }
-  (bent ? settings->annealing.bends : settings->annealing.frames) = std::move(forms).value();
-  return true;
-}
-
-base::Result<bool> applyList(Settings* settings, const std::string& key, const json& value) {
-  const std::vector<std::string> items = splitList(textOf(value));
-  if (key == "connectors") {
-    for (const std::string& id : items) {
-      const parts::Part* part = parts::Catalogue::builtIn().find(id);
-      if (part == nullptr) {
-        return invalid("set.connectors: no part " + id + " in the catalogue");
-      }
-      if (part->partClass == parts::PartClass::kGear ||
-          (part->partClass == parts::PartClass::kBeam && id != layout::kSpacerPart)) {
-        return invalid("set.connectors: " + id + " is no pin, axle or connector");
-      }
-    }
-    if (std::find(items.begin(), items.end(), "2780") == items.end()) {
-      return invalid("set.connectors: 2780 is needed, since joints in line are pinned with it");
-    }
-    settings->connectors = items;
-    return true;
-  }
-  if (key == "bent" || key == "frames") {
-    return applyForms(settings, key, items);
-  }
-  const std::vector<int> known{2, 3, 5, 6, 7, 9, 11, 13, 15};
-  std::vector<int> lengths;
-  for (const std::string& item : items) {
-    const double number = numberOf(json(item));
-    const auto found = std::find_if(known.begin(), known.end(), [&](int n) { return n == number; });
-    if (found == known.end()) {
-      return invalid("set.lengths: " + item +
-                     " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
-    }
-    lengths.push_back(*found);
-  }
-  if (lengths.empty()) {
-    return invalid("set.lengths: at least one beam length is needed, such as \"3,5,9,15\"");
-  }
-  std::sort(lengths.begin(), lengths.end());
-  lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());
-  settings->annealing.lengths = lengths;
-  return true;
-}
-
 std::string knownKeys() {
-  std::string keys = "bent, connectors, frames, lengths, owned.PARTID";
+  std::string keys = "axles, bent, connectors, frames, lengths, owned.PARTID";
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
@@ -241,8 +136,8 @@ std::string knownKeys() {
 }
 
 base::Result<bool> applyKey(Settings* settings, const std::string& key, const json& value) {
-  if (key == "bent" || key == "connectors" || key == "frames" || key == "lengths") {
-    return applyList(settings, key, value);
+  if (isPartList(key)) {
+    return applyPartList(settings, key, textOf(value));
   }
   const double number = numberOf(value);
   const std::string prefix = "weights.";
@@ -353,6 +248,10 @@ base::Result<Settings> readSettings(std::string_view text) {
   if (const base::Result<bool> limited = limitSearch(&settings); !limited.ok()) {
     return limited.error();
   }
+  const std::vector<std::string>& connectors = settings.connectors;
+  if (std::find(connectors.begin(), connectors.end(), layout::kBush) == connectors.end()) {
+    settings.annealing.axles.clear();  // nothing would keep beams on them
+  }
   return settings;
 }
 
@@ -370,6 +269,10 @@ std::string settingsJson(const Settings& settings) {
   for (const int form : a.frames) {
     frames.push_back(layout::frameBeams()[static_cast<std::size_t>(form)].part);
   }
+  json axles = json::array();
+  for (const int axle : a.axles) {
+    axles.push_back(layout::axleParts()[static_cast<std::size_t>(axle)].part);
+  }
   json parts = json::object();
   for (const SwitchKey& key : kSwitchKeys) {
     parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
@@ -385,6 +288,7 @@ std::string settingsJson(const Settings& settings) {
               {"lengths", a.lengths},
               {"bent", bent},
               {"frames", frames},
+              {"axles", axles},
               {"connectors", settings.connectors},
               {"paper.coolingRate", settings.paper.coolingRate},
               {"search", parts},

@@ -38,6 +38,7 @@ struct Settings {
 //! number of iterations), `starts`, `rounds`, `startTemperature`, `endTemperature`,
 //! `mechanismParts`, `lengths` ("2,3,5"), `bent` ("32526,60484", the bent beams that may be laid),
 //! `frames` ("64179", the same of frames),
+//! `axles` ("4519,32073", the axles that may cover lines, for which bushes are needed),
 //! `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper), `search.PART`, 1 or 0
 //! (search/annealer.h, SearchParts), and `owned.PARTID`, how many of a part there are at most
 //! (DESIGN 6): 0 switches it off. \return The settings, or one message that names the key and what

@@ -6,6 +6,7 @@
 
 #include "guide/guiding_graph.h"
 #include "lattice/vec.h"
+#include "layout/axle.h"
 #include "layout/stadium.h"
 
 namespace liftarm::layout {
@@ -48,13 +49,17 @@ struct Beam {
   }
 };
 
-//! \brief All beams of one run, by their start, with their common hole axis.
+//! \brief All beams of one run, by their start, with their common hole axis; or an axle in their
+//! place.
 struct Cover {
   lattice::Axis axis = lattice::Axis::kX;
   std::vector<Beam> beams;
+  Axle axle = {};
+
+  [[nodiscard]] bool empty() const { return beams.empty() && !axle.used(); }
 
   friend bool operator==(const Cover& a, const Cover& b) {
-    return a.axis == b.axis && a.beams == b.beams;
+    return a.axis == b.axis && a.beams == b.beams && a.axle == b.axle;
   }
 };
 

@@ -43,6 +43,9 @@ class LocalProblem {
   //! \brief Marks a cell as taken by something that no mechanism may enter.
   void block(int cell);
 
+  //! \brief Blocks the cells that a unit cube anywhere would enter, seen from the box's middle.
+  void blockAround(lattice::Vec3 middle);
+
   //! \brief Puts a hole into a cell; two beams in one cell block it.
   void addHole(const LocalHole& hole);
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "layout/axle_collisions.h"
 #include "layout/stack.h"
 #include "mechanisms/mechanism_table.h"
 
@@ -13,6 +14,9 @@ namespace {
 
 using lattice::Axis;
 using lattice::Cell;
+
+// What nothing but an axle holds has not even a pin's friction.
+constexpr int kLooseHinges = 2;
 
 std::size_t at(int id) {
   return static_cast<std::size_t>(id);
@@ -85,6 +89,9 @@ void Layout::addRun(const RunState& state, int run, int sign) {
       tallies_.connectionCost += static_cast<double>(sign * pins);
     }
   }
+  if (state.cover.axle.used()) {
+    addAxle(state.cover.axle, sign);
+  }
   tallies_.forbidden += sign * state.forbidden;
   weighted_ += static_cast<double>(sign * state.forbidden) * runWeights_[at(run)];
 }
@@ -92,6 +99,7 @@ void Layout::addRun(const RunState& state, int run, int sign) {
 void Layout::addJunction(const JunctionState& state, int junction, int sign) {
   tallies_.gaps += sign * state.gaps;
   tallies_.overfull += sign * state.overfull;
+  tallies_.hinges += sign * kLooseHinges * state.loose;
   tallies_.failedConnections += sign * state.connection.failed;
   tallies_.connectionCost +=
       static_cast<double>(sign) *
@@ -123,6 +131,9 @@ int Layout::collisionsWith(int run, const Cover& cover, int other) const {
                    : 0;
     }
   }
+  if (cover.axle.used() || otherCover.axle.used()) {
+    pairs += axleCollisions(graph, run, cover, other, otherCover);
+  }
   return pairs;
 }
 
@@ -137,6 +148,9 @@ int Layout::forbiddenOf(int run, const Cover& cover) const {
     const Beam& before = cover.beams[b - 1];
     const bool overlap = before.last() >= cover.beams[b].start;
     count += overlap && sharedHoles(before, cover.beams[b]) == 0 ? 1 : 0;
+  }
+  for (int i = cover.axle.start; i <= cover.axle.last() && cover.axle.used(); ++i) {
+    count += forbiddenAt(graph, holePosition(graph, graph.runs[at(run)], cover.axis, i, 0)) ? 1 : 0;
   }
   if (!graph.ground && graph.keepOut.empty()) {
     return count;
@@ -179,7 +193,7 @@ void Layout::setCover(int run, Cover cover) {
     savedRuns_.emplace_back(run, state);
   }
   for (const int other : problem_->graph.runs[at(run)].near) {
-    if (runs_[at(other)].cover.beams.empty()) {
+    if (runs_[at(other)].cover.empty()) {
       continue;
     }
     const int delta = collisionsWith(run, cover, other) - collisionsWith(run, state.cover, other);
@@ -302,6 +316,9 @@ void Layout::countStack(int junction, JunctionState* state) const {
             1U << static_cast<unsigned>(beam.layer + guide::kMaxLayer);
       }
     }
+  }
+  if (onAxle(junction)) {
+    countStackOnAxle(junction, &layers, state);
   }
   for (std::size_t axis = 0; axis < layers.size(); ++axis) {
     const StackFaults faults = stackFaults(layers[axis]);

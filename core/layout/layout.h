@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -33,6 +34,7 @@ struct Tallies {
   int mechanismCells = 0;
   double pinHeadRatios = 0.0;   //!< sum over mechanisms (paper 4.1)
   double connectionCost = 0.0;  //!< sum of Connection::cost
+  int axles = 0;                //!< runs that an axle covers; its parts are connectors
 
   [[nodiscard]] int violations() const {
     return collisions + forbidden + gaps + overfull + failedConnections;
@@ -52,6 +54,7 @@ struct JunctionState {
   int gaps = 0;  //!< that no spacer fills
   int overfull = 0;
   bool leans = false;  //!< some of its beams are joined by a neighbouring junction's mechanism
+  int loose = 0;       //!< beams that turn on an axle against others, without friction
 
   [[nodiscard]] int violations() const { return gaps + overfull + connection.failed; }
 };
@@ -146,6 +149,10 @@ class Layout {
   //! \brief Beams of incident runs that a junction's mechanisms must join, by (run, beam index).
   [[nodiscard]] std::vector<std::pair<int, int>> terminalsAt(int junction) const;
 
+  //! \brief What an axle on a run would have to do with, whatever covers the run now.
+  //! \pre The run is principal.
+  [[nodiscard]] AxleSite axleSite(int run) const;
+
  private:
   void addRun(const RunState& state, int run, int sign);
   void addJunction(const JunctionState& state, int junction, int sign);
@@ -164,6 +171,14 @@ class Layout {
                  const InlinePins& after);
   bool fillOthers(int junction);
   void fillSpacersOf(const JunctionView& other);
+  void addAxle(const Axle& axle, int sign);
+  void fillAxles(int junction);
+  void joinOnAxles(int junction);
+  [[nodiscard]] std::uint64_t seatsOn(int run) const;
+  [[nodiscard]] bool onAxle(int junction) const;
+  void addAxleTerminals(int junction);
+  void findStaleOnAxles();
+  void countStackOnAxle(int junction, std::array<unsigned, 3>* layers, JunctionState* state) const;
   void findStale();
   void spreadStale();
   double clearStale();
@@ -196,7 +211,8 @@ class Layout {
   LocalProblem local_;
   int localPiece_ = 0;
   bool across_ = true;
-  std::vector<std::pair<int, int>> localTerminals_;
+  std::vector<std::pair<int, int>> localTerminals_;  // an axle's beam index is -1
+  int localLoose_ = 0;
 };
 
 }  // namespace liftarm::layout

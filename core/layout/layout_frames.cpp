@@ -47,7 +47,8 @@ void Layout::fillFrame(const RunView& view,
   int terminal = -1;
   for (std::size_t t = 0; t < localTerminals_.size() && terminal < 0; ++t) {
     const auto [other, beam] = localTerminals_[t];
-    terminal = runs_[at(other)].cover.beams[at(beam)].site == bar.site ? static_cast<int>(t) : -1;
+    const bool same = beam >= 0 && runs_[at(other)].cover.beams[at(beam)].site == bar.site;
+    terminal = same ? static_cast<int>(t) : -1;
   }
   const bool foreign = run.piece != localPiece_;
   Cell layer;

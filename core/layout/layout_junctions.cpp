@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "layout/layout.h"
 
@@ -9,12 +8,8 @@ namespace {
 
 using lattice::Axis;
 using lattice::Cell;
-using lattice::Vec3;
 using mechanisms::MechanismCell;
 using mechanisms::OrientedMechanism;
-
-//! Connectors on another lattice than the box's keep this far from its cells, on some axis.
-constexpr double kApart = 0.95;
 
 std::size_t at(int id) {
   return static_cast<std::size_t>(id);
@@ -47,20 +42,6 @@ struct PinnedNodes {
   [[nodiscard]] bool has(int node) const { return before.has(node) || after.has(node); }
 };
 
-//! One cell of a neighbouring junction's mechanism, on another lattice than the box's.
-void blockAround(LocalProblem* local, Vec3 p) {
-  const Cell low{static_cast<int>(std::floor(p.x)),
-                 static_cast<int>(std::floor(p.y)),
-                 static_cast<int>(std::floor(p.z))};
-  for (int corner = 0; corner < 8; ++corner) {
-    const Cell c = low + Cell{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
-    const Vec3 d = lattice::toVec3(c) - p;
-    if (inBox(c) && std::abs(d.x) < kApart && std::abs(d.y) < kApart && std::abs(d.z) < kApart) {
-      local->block(boxIndex(c));
-    }
-  }
-}
-
 //! Enters a neighbouring junction's mechanism; terminals whose holes it fills are joined already.
 bool enterMechanism(LocalProblem* local,
                     const OrientedMechanism& m,
@@ -71,7 +52,7 @@ bool enterMechanism(LocalProblem* local,
   for (const MechanismCell& cell : m.shape.cells) {
     const Cell own = cell.at + placed.at;
     if (!other.aligned) {
-      blockAround(local, lattice::toVec3(own) + other.offset);
+      local->blockAround(lattice::toVec3(own) + other.offset);
       continue;
     }
     const Cell p = own + other.shift;
@@ -219,7 +200,7 @@ void Layout::fillSpacersOf(const JunctionView& other) {
   for (const Spacer& spacer : junctions_[at(other.junction)].spacers) {
     const Cell own = scaled(spacer.layer, unitCell(spacer.axis));
     if (!other.aligned) {
-      blockAround(&local_, lattice::toVec3(own) + other.offset);
+      local_.blockAround(lattice::toVec3(own) + other.offset);
       continue;
     }
     const Cell cell = own + other.shift;
@@ -259,12 +240,16 @@ bool Layout::fillProblem(int junction) {
       }
     }
   }
+  fillAxles(junction);
   local_.isJoint = guideJunction.joint >= 0;
   const bool leans = fillOthers(junction);
   for (std::size_t a = 0; a < localTerminals_.size(); ++a) {
     for (std::size_t b = a + 1; b < localTerminals_.size(); ++b) {
       const auto [runA, beamA] = localTerminals_[a];
       const auto [runB, beamB] = localTerminals_[b];
+      if (beamA < 0 || beamB < 0) {
+        continue;
+      }
       if (isOneBeam(runA,
                     runs_[at(runA)].cover.beams[at(beamA)],
                     runB,
@@ -294,6 +279,7 @@ bool Layout::fillProblem(int junction) {
       }
     }
   }
+  joinOnAxles(junction);
   return leans;
 }
 
@@ -353,11 +339,16 @@ void Layout::solveJunction(int junction) {
   JunctionState& state = junctions_[at(junction)];
   countStack(junction, &state);
   localTerminals_ = terminalsAt(junction);
+  const bool axle = onAxle(junction);
+  if (axle) {
+    addAxleTerminals(junction);
+  }
   if (localTerminals_.size() < 2 ||
-      (state.spacers.empty() && plainStack(junction, &state.connection))) {
+      (!axle && state.spacers.empty() && plainStack(junction, &state.connection))) {
     return;
   }
   state.leans = fillProblem(junction);
+  state.loose = localLoose_;
   fillSpacers(&state);
   state.connection = solver_->solve(local_);
 }

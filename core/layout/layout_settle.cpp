@@ -31,6 +31,11 @@ std::uint64_t Layout::signature(const RunView& view, const Cover& cover) const {
     hash = base::mixHash(hash, static_cast<std::uint64_t>(beam.tail + 1));
     hash = beam.site < 0 ? hash : base::mixHash(hash, static_cast<std::uint64_t>(beam.site));
   }
+  if (cover.axle.used()) {
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(cover.axle.part + 1));
+    hash = base::mixHash(hash, static_cast<std::uint64_t>(cover.axle.start + 64));
+    hash = base::mixHash(hash, 2U * cover.axle.bushes + (cover.axle.turned ? 1U : 0U));
+  }
   return hash;
 }
 
@@ -48,6 +53,9 @@ void Layout::findStale() {
         staleList_.push_back(junction);
       }
     }
+  }
+  if (tallies_.axles > 0) {
+    findStaleOnAxles();
   }
 }
 
@@ -73,7 +81,8 @@ double Layout::clearStale() {
     JunctionState& state = junctions_[at(junction)];
     addJunction(state, junction, -1);
     const bool several = problem_->graph.junctions[at(junction)].incident.size() > 1;
-    openCosts_.push_back(several && !state.leans && !hasFrameAt(junction) ? 1.0 : 0.0);
+    const bool joined = state.leans || hasFrameAt(junction) || onAxle(junction);
+    openCosts_.push_back(several && !joined ? 1.0 : 0.0);
     open += openCosts_.back();
     state = {};
     countStack(junction, &state);

@@ -1,9 +1,17 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/hash.h"
 #include "layout/connection_solver.h"
 
 namespace liftarm::layout {
+
+namespace {
+
+//! Connectors on another lattice than the box's keep this far from its cells, on some axis.
+constexpr double kApart = 0.95;
+
+}  // namespace
 
 void LocalProblem::clear() {
   for (const int cell : touched_) {
@@ -28,6 +36,19 @@ void LocalProblem::touch(int cell) {
 void LocalProblem::block(int cell) {
   touch(cell);
   content_[static_cast<std::size_t>(cell)] = -1;
+}
+
+void LocalProblem::blockAround(lattice::Vec3 middle) {
+  const lattice::Cell low{static_cast<int>(std::floor(middle.x)),
+                          static_cast<int>(std::floor(middle.y)),
+                          static_cast<int>(std::floor(middle.z))};
+  for (int corner = 0; corner < 8; ++corner) {
+    const lattice::Cell c = low + lattice::Cell{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+    const lattice::Vec3 d = lattice::toVec3(c) - middle;
+    if (inBox(c) && std::abs(d.x) < kApart && std::abs(d.y) < kApart && std::abs(d.z) < kApart) {
+      block(boxIndex(c));
+    }
+  }
 }
 
 void LocalProblem::addHole(const LocalHole& hole) {

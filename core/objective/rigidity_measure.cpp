@@ -183,6 +183,21 @@ class Measure {
     }
   }
 
+  //! Beams on one axle turn against each other, as on a pin. \pre All beams are there.
+  void addAxles(const std::vector<layout::Cover>& covers) {
+    for (std::size_t r = 0; r < covers.size(); ++r) {
+      const guide::GuideRun& run = graph_.runs[r];
+      std::vector<Slot> onAxle;
+      for (int i = covers[r].axle.start; covers[r].axle.used() && i <= covers[r].axle.last(); ++i) {
+        const Vec3 place = layout::holePosition(graph_, run, covers[r].axis, i, 0);
+        for (const Slot& hole : holes_.find(place, mainAxis(run.direction))) {
+          onAxle.push_back(hole);
+        }
+      }
+      hingeAll(onAxle);
+    }
+  }
+
   void addMechanism(const mechanisms::Mechanism& shape, Vec3 origin) {
     std::vector<int> bodies;
     for (const mechanisms::MechanismPart& member : shape.parts) {
@@ -256,9 +271,13 @@ class Measure {
         }
       }
     });
-    for (std::size_t i = 1; i < onPin.size(); ++i) {
+    hingeAll(onPin);
+  }
+
+  void hingeAll(const std::vector<Slot>& slots) {
+    for (std::size_t i = 1; i < slots.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        bodies_.addHinge(onPin[i].body, onPin[j].body, onPin[i].axis, onPin[i].at);
+        bodies_.addHinge(slots[i].body, slots[j].body, slots[i].axis, slots[i].at);
       }
     }
   }
@@ -277,6 +296,7 @@ int countRigidSubsets(const guide::GuidingGraph& graph,
                       const std::vector<layout::JunctionState>& junctions) {
   Measure measure(graph);
   measure.addBeams(covers);
+  measure.addAxles(covers);
   for (std::size_t j = 0; j < junctions.size(); ++j) {
     const Vec3 origin = graph.nodes[at(graph.junctions[j].node)];
     for (const layout::PlacedMechanism& placed : junctions[j].connection.mechanisms) {

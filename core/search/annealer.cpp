@@ -70,6 +70,7 @@ Annealer::Annealer(const layout::LayoutProblem& problem,
   for (const guide::GuideRun& run : problem.graph.runs) {
     fewestBeams_.push_back(guide::fewestBeams(problem.graph, run));
   }
+  findAxleRuns();
   softWeights_[*objective::termIndex("violations")] = 0.0;
   findUsefulSites();
 }
@@ -115,6 +116,7 @@ void Annealer::start() {
 }
 
 void Annealer::beginAfresh() {
+  releaseAxleRuns();
   // Fewer starts for very large sketches, so that the first layout does not keep a person waiting.
   const auto runs = static_cast<int>(problem_->graph.runs.size());
   layFirst(std::max(1, std::min(options_.starts, kStageOneBudget / std::max(1, runs))));
@@ -126,9 +128,10 @@ void Annealer::beginAfresh() {
 void Annealer::layFirst(int starts) {
   const auto runs = static_cast<int>(problem_->graph.runs.size());
   const bool bound = orbits_.active();
-  const guide::Orientation orientation =
+  guide::Orientation orientation =
       bound ? guide::estimateOrientation(problem_->graph, orbits_.orbits(), starts, &rng_)
             : guide::estimateOrientation(problem_->graph, starts, &rng_);
+  turnToAxles(&orientation);
   // The first covers see hole axes but no beams; the later ones see what was laid before them.
   for (int r = 0; r < runs; ++r) {
     layout_.setCover(r, {orientation[at(r)], {}});
@@ -139,6 +142,10 @@ void Annealer::layFirst(int starts) {
     if (orbits_.binds(r) && orbits_.orbits().representative(r) != r) {
       continue;  // covered with the first of its images
     }
+    if (mustHaveAxle_[at(r)] != 0) {
+      layAxleOn(r);  // laid anew when all are there
+      continue;
+    }
     if (orbits_.binds(r) && layBound(r, orientation[at(r)])) {
       continue;
     }
@@ -147,6 +154,7 @@ void Annealer::layFirst(int starts) {
     }
   }
   coverer_.setPreferred(nullptr);
+  relayAxles();
   layout_.settleAll();
   layout_.keep();
   energy_ = energy();
@@ -174,6 +182,10 @@ void Annealer::beginRound() {
 }
 
 void Annealer::finishRound() {
+  if (trying_) {
+    finishTrial();
+    return;
+  }
   if (grown_ && !keepsUp()) {
     startOver();
     return;
@@ -188,7 +200,7 @@ void Annealer::finishRound() {
     return;
   }
   if (whole || round_ > options_.maxRounds) {
-    done_ = true;
+    finish();
     return;
   }
   if (round_ % kRoundsPerStart == 0) {
@@ -235,6 +247,10 @@ LayoutSnapshot Annealer::snapshot() const {
 }
 
 void Annealer::keepBest() {
+  if (trying_) {
+    keepBestTrial();
+    return;
+  }
   LayoutSnapshot& best = again_ ? bestAgain_ : best_;
   const int violations = layout_.tallies().violations();
   const double plain = plainEnergy(layout_.tallies(), freedoms_);

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "base/rng.h"
+#include "guide/orientation.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
 #include "layout/layout.h"
 #include "objective/objective.h"
+#include "search/axle_sites.h"
 #include "search/earlier_layout.h"
 #include "search/layout_search.h"
 #include "search/orbit_covers.h"
@@ -32,6 +34,7 @@ struct SearchParts {
   bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
   bool mirrors = true;  //!< moves that mirror a run's layers
   bool costly = true;   //!< moves at runs with more beams than they need
+  bool axles = true;    //!< axles that cover lines
   bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
 };
 
@@ -48,6 +51,7 @@ struct AnnealingOptions {
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   std::vector<int> bends = layout::allBentBeams();    //!< bent beams that may be laid
   std::vector<int> frames = layout::allFrameBeams();  //!< frames that may be laid
+  std::vector<int> axles = layout::allAxleParts();    //!< that may cover lines, with bushes
   objective::Weights weights = objective::searchWeights(objective::Preset::kSimple);
   //! Layout of a sketch that this one came from: what still fits stays as it lies, and only what
   //! was touched is searched. Where that does not end whole, or takes many more beams, the search
@@ -60,6 +64,9 @@ struct AnnealingOptions {
   //! the rounds that ask for freedoms keep no layout as their best before asking this, and a search
   //! that ends with frames asks it once: their holes on two axes can lock parts together.
   std::function<bool(const LayoutSnapshot&)> buildable;
+  //! How many ways a layout can move that friction does not hold, -1 where it is not buildable;
+  //! empty: all are as good. Asked of the few layouts in which axles cover lines that pins held.
+  std::function<int(const LayoutSnapshot&)> held;
 };
 
 //! \brief Stage two: simulated annealing (paper 5.3) whose move covers one run, or two that meet,
@@ -140,6 +147,17 @@ class Annealer final : public LayoutSearch {
   void offerAgain();
   [[nodiscard]] bool isBuildable(const LayoutSnapshot& layout) const;
   [[nodiscard]] LayoutSnapshot snapshot() const;
+  void findAxleRuns();
+  void releaseAxleRuns();
+  void turnToAxles(guide::Orientation* orientation) const;
+  bool layAxleOn(int run);
+  void relayAxles();
+  void finish();
+  void nextTrial();
+  bool beginTrial(const AxleFamily& family);
+  void keepBestTrial();
+  [[nodiscard]] bool isSound(LayoutSnapshot* trial);
+  void finishTrial();
   bool passes(double limit);
 
   const layout::LayoutProblem* problem_;
@@ -176,9 +194,19 @@ class Annealer final : public LayoutSearch {
   std::uint32_t stiffRounds_ = 0;  // of this start ...
   std::uint32_t plainRounds_ = 0;  // ... before which it had so many of the other kind
   std::uint32_t allStiffRounds_ = 0;
-  double stiffWork_ = 0.0;                // of all starts, in moves times runs squared
-  int freedoms_ = 0;                      // of the current layout, while stiffening
-  double freedomCost_ = 0.0;              // of each
+  double stiffWork_ = 0.0;    // of all starts, in moves times runs squared
+  int freedoms_ = 0;          // of the current layout, while stiffening
+  double freedomCost_ = 0.0;  // of each
+  // Axles that cover lines.
+  std::vector<int> axleRuns_;               // that may have one
+  std::vector<std::uint8_t> mustHaveAxle_;  // by run
+  bool trying_ = false;                     // them on the best layout, at the end
+  std::vector<AxleFamily> trials_;
+  std::size_t nextTrial_ = 0;
+  std::uint64_t trialMovesLeft_ = 0;
+  int checksLeft_ = 0;
+  std::optional<int> heldBefore_;  // of the best layout
+  LayoutSnapshot bestTrial_;
   mutable objective::Measures measures_;  // reused: the tallies change, the scale does not
   objective::Weights softWeights_{};      // options_.weights without the hard conditions
   double violationWeight_ = 0.0;

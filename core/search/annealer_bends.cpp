@@ -56,6 +56,7 @@ std::optional<lattice::Axis> Annealer::bendAxis(int run, int mate) const {
   const guide::GuidingGraph& graph = problem_->graph;
   const int junction = layout::commonJunction(graph, run, mate);
   if (orbits_.binds(run) || orbits_.binds(mate) || junction < 0 ||
+      layout_.run(run).cover.axle.used() || layout_.run(mate).cover.axle.used() ||
       graph.junctions[at(junction)].joint >= 0) {
     return std::nullopt;
   }

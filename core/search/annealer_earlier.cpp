@@ -67,6 +67,12 @@ bool Annealer::layEarlier() {
 
 //! Covers a run with the hole axis that suits its neighbours best.
 void Annealer::layBestAxis(int run) {
+  if (mustHaveAxle_[at(run)] != 0) {
+    layAxleOn(run);
+    layout_.settle();
+    layout_.keep();
+    return;
+  }
   std::optional<layout::Cover> best;
   double least = 0.0;
   for (const lattice::Axis axis : problem_->graph.runs[at(run)].axes) {

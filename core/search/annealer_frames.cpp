@@ -68,7 +68,7 @@ bool Annealer::withdrawFrames() {
 //! Whether no symmetry binds a site's runs, and all have its hole axis or may turn to it.
 bool Annealer::mayLieAt(const layout::FrameSite& site) const {
   return std::all_of(site.arms.begin(), site.arms.end(), [&](const layout::SiteArm& arm) {
-    return !orbits_.binds(arm.run) &&
+    return !orbits_.binds(arm.run) && mustHaveAxle_[at(arm.run)] == 0 &&
            (options_.parts.turns || layout_.run(arm.run).cover.axis == site.axis);
   });
 }

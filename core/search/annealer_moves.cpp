@@ -117,6 +117,9 @@ bool Annealer::coverRun(int run,
                         lattice::Axis axis,
                         double noise,
                         const std::vector<layout::Beam>& fixed) {
+  if (mustHaveAxle_[at(run)] != 0) {
+    return layAxleOn(run);
+  }
   coverer_.setFixed(fixed);
   if (supply_.limited()) {
     coverer_.setLengthCosts(supply_.lengthCosts(layout_, run, options_.lengths, violationWeight_));
@@ -218,7 +221,7 @@ bool Annealer::recoverCrossing(int run, double noise) {
 //! grid, is a wall across many lines, which no line can move alone.
 bool Annealer::mirror(int run, double noise) {
   layout::Cover cover = layout_.run(run).cover;
-  if (problem_->graph.runs[at(run)].exact || !layout::armsOf(cover).empty()) {
+  if (problem_->graph.runs[at(run)].exact || !layout::armsOf(cover).empty() || cover.axle.used()) {
     return false;
   }
   const guide::SelfBinding binding =
@@ -272,6 +275,7 @@ void Annealer::move() {
     layout_.revert();
     return;
   }
+  relayAxles();
   // The threshold is drawn first, so that a move that cannot pass it is not connected to its end.
   const double chance = rng_.unit();
   const double limit = chance <= 0.0 ? kNoLimit : energy_ - temperature_ * base::detLog(chance);

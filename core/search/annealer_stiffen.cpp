@@ -35,12 +35,14 @@ void Annealer::goOnStiffening() {
   const bool hopeless = allStiffRounds_ >= kHopefulRounds && best_.freedoms > kFewFreedoms;
   if (hopeless || allStiffRounds_ >= kMostRounds ||
       (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
-    done_ = true;
+    finish();
     return;
   }
   if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < kStiffRounds) {
     beginStiffening();
-    done_ = best_.freedoms == 0;
+    if (best_.freedoms == 0) {
+      finish();
+    }
   } else if (again_ && !stiffening_ && ++plainRounds_ < kPlainRounds) {
     beginRound();
   } else {

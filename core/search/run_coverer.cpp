@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "guide/layer_field.h"
+#include "layout/axle_collisions.h"
 #include "layout/stack.h"
 
 namespace liftarm::search {
@@ -75,6 +76,10 @@ void RunCoverer::addJunctionCosts(const layout::Layout& layout, int run, Axis ax
       if (incidence.run == run) {
         continue;
       }
+      if (cover.axle.used()) {
+        mixed = mixed || axis != layout::alongAxisOf(problem_->graph.runs[at(incidence.run)]).axis;
+        continue;
+      }
       if (cover.axis != axis) {
         mixed = true;
         continue;
@@ -115,9 +120,14 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
   for (const int other : guideRun.near) {
     const Cover& cover = layout.run(other).cover;
     const double weight = 0.5 * (layout.runWeights()[at(run)] + layout.runWeights()[at(other)]);
+    rooms_.clear();
     for (const Beam& beam : cover.beams) {
-      const layout::Stadium theirs =
-          layout::stadiumOf(graph, graph.runs[at(other)], cover.axis, beam);
+      rooms_.push_back(layout::stadiumOf(graph, graph.runs[at(other)], cover.axis, beam));
+    }
+    if (cover.axle.used() && !layout::goesThrough(graph, other, run, axis)) {
+      rooms_.push_back(layout::roomOf(graph, graph.runs[at(other)], cover.axis, cover.axle));
+    }
+    for (const layout::Stadium& theirs : rooms_) {
       for (int layer = -reach_; layer <= reach_; ++layer) {
         const auto hits = [&](int first, int last) {
           return overlap(layout::stadiumOf(graph, guideRun, axis, {first, last - first + 1, layer}),

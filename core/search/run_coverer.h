@@ -88,7 +88,8 @@ class RunCoverer {
   CoverCosts costs_;
 
   std::vector<layout::Beam> fixed_;
-  std::vector<double> lengthCosts_;  // by place in lengths_, or empty
+  std::vector<layout::Stadium> rooms_;  // that another run takes
+  std::vector<double> lengthCosts_;     // by place in lengths_, or empty
   const std::vector<int>* preferred_ = nullptr;
 
   // One run's working set, reused from call to call.

@@ -108,7 +108,7 @@ int SupplyCounter::missing(const layout::Layout& layout) {
     return missing;
   }
   std::vector<int> used(supply_.connectors.size(), 0);
-  int atJunctions = 0;
+  int atJunctions = 0;  // and on axles: not in line
   for (std::size_t j = 0; j < layout.problem().graph.junctions.size(); ++j) {
     for (const layout::PlacedMechanism& placed :
          layout.junction(static_cast<int>(j)).connection.mechanisms) {
@@ -123,6 +123,18 @@ int SupplyCounter::missing(const layout::Layout& layout) {
     if (spacer_ >= 0) {
       used[at(spacer_)] += spacers;
     }
+  }
+  for (int run = 0; run < static_cast<int>(layout.problem().graph.runs.size()); ++run) {
+    const layout::Axle& axle = layout.run(run).cover.axle;
+    if (!axle.used()) {
+      continue;
+    }
+    for (std::size_t c = 0; c < used.size(); ++c) {
+      const std::string& id = supply_.connectors[c].first;
+      used[c] += id == layout::axleParts()[at(axle.part)].part ? 1 : 0;
+      used[c] += id == layout::kBush ? axle.bushCount() : 0;
+    }
+    atJunctions += 1 + axle.bushCount();
   }
   if (inlinePin_ >= 0) {
     used[at(inlinePin_)] += layout.tallies().connectors - atJunctions;

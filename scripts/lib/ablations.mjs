@@ -19,6 +19,12 @@ export const ABLATIONS = [
     about: 'no frame covers lines: straight and bent beams only.',
   },
   {
+    key: 'axle-lines',
+    title: 'axles along lines',
+    set: ['search.axles=0'],
+    about: 'no axle covers a line.',
+  },
+  {
     key: 'focus',
     title: 'focus',
     set: ['search.focus=0'],
@@ -76,7 +82,7 @@ export const ABLATIONS = [
     key: 'axles',
     title: 'axles with stops',
     set: ['connectors=2780,6558,87082,48989,55615,18654'],
-    about: 'no axle with stop and bush: a stack holds three beams.',
+    about: 'no axle with stop and bush: a stack holds three beams, and no axle covers a line.',
   },
   {
     key: 'spacers',

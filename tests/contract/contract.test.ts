@@ -45,21 +45,20 @@ test('the statuses of C++ and TypeScript are the same, in the same order', () =>
 test('the page shows every part that the search builds with', () => {
   const { settings } = JSON.parse(module.contractJson());
   // With all but one of a kind switched off, what is left is said in full.
-  const all = [
-    ...settings.lengths.map(String),
+  const named = [
     ...settings.bent,
     ...settings.frames,
-    ...settings.connectors,
+    ...new Set([...settings.axles, ...settings.connectors]),
   ];
   const off = new Set(SET_PARTS);
-  const left = [settings.bent[0], settings.frames[0], settings.connectors[1]];
+  const left = [settings.bent[0], settings.frames[0], settings.axles[0], settings.connectors[1]];
   expect(brickSetSettings(new Set(SET_PARTS.filter((id) => !left.includes(id))))).toMatchObject({
     bent: settings.bent[0],
     frames: settings.frames[0],
+    axles: settings.axles[0],
     connectors: `2780,${settings.connectors[1]}`,
   });
-  expect(off.size).toBe(all.length);
-  const named = [...settings.bent, ...settings.frames, ...settings.connectors];
+  expect(off.size).toBe(settings.lengths.length + named.length);
   expect(named.filter((id) => !off.has(id))).toEqual([]);
 });
 

@@ -36,6 +36,14 @@ test('a model with frames is the same in both', () => {
   expect(native.report['buildable']).toBe(true);
 });
 
+test('a model with lines that axles cover is the same in both', () => {
+  const native = solveWithCommand('letter-a', ['--seed', '1']);
+  const wasm = solveWithModule(module, exampleText('letter-a'), { seed: 1 });
+  expect(wasm.modelJson.trimEnd()).toBe(native.modelJson.trimEnd());
+  expect(native.report['axles']).toBeGreaterThan(0);
+  expect(native.report['buildable']).toBe(true);
+});
+
 test('the slices of the work do not change the model', () => {
   const sketch = exampleText('house');
   const fine = solveWithModule(module, sketch, { seed: 5 }, 7);

@@ -63,6 +63,19 @@ inline layout::Cover randomCover(const guide::GuideRun& run, base::Rng* rng) {
   }
 }
 
+//! \brief An axle on a principal run: one that suits the beams there, or some other with bushes at
+//! random places.
+inline layout::Cover randomAxle(const layout::Layout& layout, int run, base::Rng* rng) {
+  const guide::GuideRun& guideRun = layout.problem().graph.runs[static_cast<std::size_t>(run)];
+  layout::AxleSite site = layout.axleSite(run);
+  if (rng->below(3) == 0) {
+    site.seats = rng->below(1U << 10U);
+  }
+  layout::Cover cover{guideRun.axes.front(), {}};
+  cover.axle = layout::layAxle(site, layout::allAxleParts());
+  return cover;
+}
+
 //! \brief Covers and connections, as text that is equal bit for bit or not.
 inline std::string structureOf(const layout::Layout& layout) {
   std::string text;
@@ -77,6 +90,10 @@ inline std::string structureOf(const layout::Layout& layout) {
       put(beam.holes);
       put(beam.layer);
     }
+    put(run.cover.axle.part);
+    put(run.cover.axle.start);
+    put(run.cover.axle.turned);
+    put(run.cover.axle.bushes);
     put(run.collisions);
     put(run.forbidden);
   }
@@ -118,7 +135,8 @@ inline std::string fingerprint(const layout::Layout& layout) {
                           t.connectors,
                           t.mechanisms,
                           t.mechanismHeads,
-                          t.mechanismCells}) {
+                          t.mechanismCells,
+                          t.axles}) {
     put(count);
   }
   put(t.pinHeadRatios);

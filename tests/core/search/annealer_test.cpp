@@ -153,10 +153,12 @@ int partsShortOf(const LayoutSnapshot& snapshot, int wanted) {
 }
 
 TEST(Annealer, JoinsBeamsAnotherWayUntilNothingIsLoose) {
-  SearchRun plain(testing::squareSketch(8), quick());
+  AnnealingOptions beamsOnly = quick();
+  beamsOnly.parts.axles = false;
+  SearchRun plain(testing::squareSketch(8), beamsOnly);
   plain.finish(1000);
   const int wanted = plain.annealer.best().tallies.connectors + 3;
-  AnnealingOptions options = quick();
+  AnnealingOptions options = beamsOnly;
   options.freedoms = [&](const LayoutSnapshot& snapshot) { return partsShortOf(snapshot, wanted); };
   SearchRun run(testing::squareSketch(8), options);
   run.finish(1000);

@@ -49,10 +49,18 @@ describe('the brick set', () => {
     expect(brickSetSettings(new Set(['64179']))).toEqual({ frames: '14720,64178' });
   });
 
+  it('leaves out an axle that joins stacks as well from both', () => {
+    expect(brickSetSettings(new Set(['15462']))).toEqual({
+      axles: '4519,24316,3705,87083,32073,3706,44294,3707,55013,60485,3737,23948,3708',
+      connectors: '2780,6558,87082,48989,55615,3713,18654',
+    });
+  });
+
   it('keeps the pin that nothing works without', () => {
     expect(brickSetSettings(new Set(SET_PARTS))).toEqual({
       bent: '',
       frames: '',
+      axles: '',
       connectors: '2780',
     });
   });

@@ -34,6 +34,24 @@ const CONNECTORS: readonly string[] = [
   '18654',
 ];
 
+/** Axles that cover lines, by length; 15462 joins stacks as well. */
+const AXLES: readonly string[] = [
+  '4519',
+  '24316',
+  '3705',
+  '87083',
+  '32073',
+  '15462',
+  '3706',
+  '44294',
+  '3707',
+  '55013',
+  '60485',
+  '3737',
+  '23948',
+  '3708',
+];
+
 /** Parts that cannot be switched off: joints in line are pinned with them. */
 export const NEEDED_PARTS: ReadonlySet<string> = new Set(['2780']);
 
@@ -43,6 +61,7 @@ export const SET_PARTS: readonly string[] = [
   ...BENT,
   ...FRAMES,
   ...CONNECTORS,
+  ...AXLES.filter((id) => !CONNECTORS.includes(id)),
 ];
 
 /** The settings of the search for a brick set; none for the whole one. */
@@ -50,11 +69,13 @@ export function brickSetSettings(off: ReadonlySet<string>): Readonly<Record<stri
   const lengths = BEAMS.filter(([, id]) => !off.has(id)).map(([length]) => length);
   const bent = BENT.filter((id) => !off.has(id));
   const frames = FRAMES.filter((id) => !off.has(id));
+  const axles = AXLES.filter((id) => !off.has(id));
   const connectors = CONNECTORS.filter((id) => NEEDED_PARTS.has(id) || !off.has(id));
   return {
     ...(lengths.length < BEAMS.length && lengths.length > 0 ? { lengths: lengths.join() } : {}),
     ...(bent.length < BENT.length ? { bent: bent.join() } : {}),
     ...(frames.length < FRAMES.length ? { frames: frames.join() } : {}),
+    ...(axles.length < AXLES.length ? { axles: axles.join() } : {}),
     ...(connectors.length < CONNECTORS.length ? { connectors: connectors.join() } : {}),
   };
 }

@@ -29,6 +29,8 @@ export interface Report {
   readonly components?: number;
   readonly beams?: number;
   readonly bricks?: number;
+  /** Lines, or straight chains of them, that an axle covers instead of beams. */
+  readonly axles?: number;
   readonly gaps?: number;
   readonly collisions?: number;
   readonly uncovered?: number;

@@ -134,7 +134,12 @@ function SolverPlay(props: {
     running.current = true;
     setSaid(words.solving);
     const { seed } = preferences.value;
-    const set = { lengths: '2,3,5,7,9', 'search.corners': 0, 'search.frames': 0 };
+    const set = {
+      lengths: '2,3,5,7,9',
+      'search.corners': 0,
+      'search.frames': 0,
+      'search.axles': 0,
+    };
     const sketch = JSON.stringify(puzzleSketch(props.size));
     const result = await roomSolver().solve(sketch, { seed, set });
     running.current = false;
