@@ -63,7 +63,37 @@ void countParts(const Scene& scene, CheckCounts& counts) {
   counts.size = box.empty() ? lattice::Vec3{} : box.max - box.min;
 }
 
+bool fulfils(const ItemResult& item) {
+  return item.problems.empty();
+}
+
+//! Items 1 to 6 of DESIGN 5.
+bool holdsTogether(const Scene& scene, const std::vector<EdgeCover>& coverage) {
+  return fulfils(checkRealParts(scene)) && fulfils(checkConnections(scene)) &&
+         fulfils(checkAssembly(scene, coverage)) && fulfils(checkCoverage(scene, coverage)) &&
+         fulfils(checkInterpenetration(scene)) && fulfils(checkDisassembly(scene));
+}
+
 }  // namespace
+
+bool isBuildable(const model::Model& model, const parts::Catalogue& catalogue) {
+  const Scene scene = makeScene(model, catalogue);
+  const std::vector<EdgeCover> coverage = findCoverage(scene);
+  const bool joints = scene.sketch.has_value() && !scene.sketch->joints.empty();
+  return holdsTogether(scene, coverage) &&
+         (!joints || fulfils(checkJoints(scene, analyseFreedoms(scene, coverage))));
+}
+
+std::optional<int> freedomsOfBuildable(const model::Model& model,
+                                       const parts::Catalogue& catalogue) {
+  const Scene scene = makeScene(model, catalogue);
+  const std::vector<EdgeCover> coverage = findCoverage(scene);
+  if (!holdsTogether(scene, coverage)) {
+    return std::nullopt;
+  }
+  const MotionReport motion = analyseFreedoms(scene, coverage);
+  return fulfils(checkJoints(scene, motion)) ? std::optional(motion.held.internal) : std::nullopt;
+}
 
 CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue) {
   const Scene scene = makeScene(model, catalogue);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,5 +45,13 @@ struct CheckReport {
 //! catalogue.
 //! \param model May come from any file; its sketch, if it has one, is read for items 2, 4, 5 and 7.
 CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue);
+
+//! \brief checkModel()'s answer alone: what is quick to see first, and no further once it is no.
+bool isBuildable(const model::Model& model, const parts::Catalogue& catalogue);
+
+//! \brief The internal freedoms that pins with friction leave (MotionReport::held) to a model that
+//! is buildable; nothing for any other.
+std::optional<int> freedomsOfBuildable(const model::Model& model,
+                                       const parts::Catalogue& catalogue);
 
 }  // namespace liftarm::analysis

@@ -5,7 +5,7 @@
 
 namespace liftarm::analysis {
 
-MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& coverage) {
+MotionReport analyseFreedoms(const Scene& scene, const std::vector<EdgeCover>& coverage) {
   MotionReport report;
   const JointMover mover(scene, coverage);
   report.free = mover.free();
@@ -13,6 +13,11 @@ MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& cov
   for (int joint = 0; joint < mover.joints(); ++joint) {
     report.joints.push_back(mover.turnJoint(joint).range);
   }
+  return report;
+}
+
+MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& coverage) {
+  MotionReport report = analyseFreedoms(scene, coverage);
   report.balance = checkBalance(scene);
   report.braces = findBraces(scene, coverage, report.free);
   return report;

@@ -24,6 +24,9 @@ struct MotionReport {
 
 MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& coverage);
 
+//! \brief The same without balance and braces, which nothing but a person asks for.
+MotionReport analyseFreedoms(const Scene& scene, const std::vector<EdgeCover>& coverage);
+
 //! \brief Item 7 of DESIGN 5: each annotated joint turns about its axis.
 ItemResult checkJoints(const Scene& scene, const MotionReport& report);
 

@@ -33,7 +33,7 @@ std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
   const std::string text = sketch::writeSketch(sketch);
   return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
     const model::Model model = buildModel(problem, table, snapshot, "", text);
-    return analysis::checkModel(model, parts::Catalogue::builtIn()).buildable;
+    return analysis::isBuildable(model, parts::Catalogue::builtIn());
   };
 }
 
@@ -43,8 +43,7 @@ std::function<int(const search::LayoutSnapshot&)> makeHeld(const layout::LayoutP
   const std::string text = sketch::writeSketch(sketch);
   return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
     const model::Model model = buildModel(problem, table, snapshot, "", text);
-    const analysis::CheckReport check = analysis::checkModel(model, parts::Catalogue::builtIn());
-    return check.buildable ? check.motion.held.internal : -1;
+    return analysis::freedomsOfBuildable(model, parts::Catalogue::builtIn()).value_or(-1);
   };
 }
 

@@ -52,6 +52,12 @@ TEST_P(GoodModel, IsBuildable) {
   EXPECT_GE(report.items.size(), 6U);
 }
 
+TEST_P(GoodModel, IsSoWithoutAReport) {
+  const parts::Catalogue& catalogue = parts::Catalogue::builtIn();
+  EXPECT_TRUE(isBuildable(GetParam(), catalogue));
+  EXPECT_EQ(freedomsOfBuildable(GetParam(), catalogue), check(GetParam()).motion.held.internal);
+}
+
 TEST_P(GoodModel, HasRealSolidsThatShareNoSpace) {
   LIFTARM_NEED_SHARED_DATA();
   testing::VoxelSolids solids;
@@ -277,6 +283,12 @@ TEST_P(BadModel, FailsExactlyTheIntendedItem) {
   EXPECT_EQ(failures(report), GetParam().failingItem) << messages(report);
   ASSERT_FALSE(report.problems.empty());
   EXPECT_EQ(report.problems.front().kind, GetParam().problemKind) << messages(report);
+}
+
+TEST_P(BadModel, FailsWithoutAReport) {
+  const parts::Catalogue& catalogue = parts::Catalogue::builtIn();
+  EXPECT_FALSE(isBuildable(GetParam().make(), catalogue));
+  EXPECT_FALSE(freedomsOfBuildable(GetParam().make(), catalogue).has_value());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BadModel, ::testing::ValuesIn(badCases()), [](const auto& bad) {
