@@ -34,15 +34,15 @@ std::size_t at(int index) {
 
 //! What speaks against an order: less is better.
 struct Faults {
-  int loose = 0;  //!< times that something is held by nothing
-  int downwards =
-      0;            //!< times that something comes below all that is there, the beginning included
-  int falling = 0;  //!< times that it rests on no side
+  int hanging = 0;    //!< times that something is held by nothing, and lies not on the table either
+  int loose = 0;      //!< times that something is held by nothing
+  int downwards = 0;  //!< times that something comes below all that is there, or first above it
+  int falling = 0;    //!< times that it rests on no side
   double start = -1.0;  //!< of the first beam above the lowest, modules
 
   [[nodiscard]] bool operator<(const Faults& other) const {
-    return std::tuple(loose + downwards, falling, start) <
-           std::tuple(other.loose + other.downwards, other.falling, other.start);
+    return std::tuple(hanging, loose + downwards, falling, start) <
+           std::tuple(other.hanging, other.loose + other.downwards, other.falling, other.start);
   }
 };
 
@@ -265,6 +265,7 @@ class Ordering {
   [[nodiscard]] Faults faultsOf(const std::vector<int>& order) const {
     Faults faults;
     double floor = 1e9;
+    double lastFloor = 0.0;
     int pieces = 1;
     std::vector<char> has(units_.size(), 0);
     std::vector<int> parts;
@@ -277,12 +278,14 @@ class Ordering {
         faults.start = first ? std::max(0.0, unit.floor - floor_) : faults.start;
         faults.downwards += (first ? faults.start > kLower : unit.floor < floor - kLower) ? 1 : 0;
         floor = std::min(floor, unit.floor);
+        lastFloor = unit.floor;
       }
       // Pins go in together with what they hold.
       if (i + 1 == order.size() || !units_[at(order[i + 1])].fastener) {
         faults.falling += wishes_.rests && !wishes_.rests(parts) ? 1 : 0;
         const int now = countPieces(has);
         faults.loose += std::max(0, now - pieces);
+        faults.hanging += now > pieces && lastFloor > floor_ + kLower ? 1 : 0;
         pieces = now;
       }
     }

@@ -7,7 +7,7 @@ const TOP = resolve(import.meta.dirname, '../..');
 const FOLDERS = { wasm: resolve(TOP, 'build/wasm'), public: resolve(TOP, 'public') };
 
 test('the model that the page ships is what the search gives for its sketch, settings and seed', async () => {
-  const made = await makeFirstModel(FOLDERS);
+  const made = await makeFirstModel(FOLDERS, 'en');
   const { seed, preset } = made.settings;
   const module = await loadModule();
   const wasm = solveWithModule(module, JSON.stringify(made.sketch), made.settings);
@@ -19,5 +19,11 @@ test('the model that the page ships is what the search gives for its sketch, set
 });
 
 test('it is made the same each time, so that a build with nothing new is no new version', async () => {
-  expect(await makeFirstModel(FOLDERS)).toEqual(await makeFirstModel(FOLDERS));
+  expect(await makeFirstModel(FOLDERS, 'en')).toEqual(await makeFirstModel(FOLDERS, 'en'));
+});
+
+test('in German it differs in nothing but the name', async () => {
+  const [en, de] = [await makeFirstModel(FOLDERS, 'en'), await makeFirstModel(FOLDERS, 'de')];
+  expect(de.sketch.name).toBe('Stuhl');
+  expect(JSON.parse(de.modelJson).parts).toEqual(JSON.parse(en.modelJson).parts);
 });

@@ -8,7 +8,7 @@ import { settingsOf } from '../src/app/solve-settings.ts';
 import type { FromWorker } from '../src/solver/protocol.ts';
 import type { CreateSolverModule } from '../src/solver/solver-module.ts';
 import { createWorkerCore, type WorkerCore } from '../src/solver/worker-core.ts';
-import { PREFERENCE_DEFAULTS } from '../src/state/preferences.ts';
+import { type Language, PREFERENCE_DEFAULTS } from '../src/state/preferences.ts';
 import { writeSketch } from '../src/state/read-sketch.ts';
 
 const NAME = 'virtual:first-model';
@@ -30,17 +30,25 @@ export function firstModel(folders: FirstModelFolders): Plugin {
     resolveId: (id) => (id === NAME ? `\0${NAME}` : null),
     async load(id) {
       return id === `\0${NAME}`
-        ? `export const firstModel = ${JSON.stringify(await makeFirstModel(folders))};`
+        ? `export const firstModels = ${JSON.stringify(await makeFirstModels(folders))};`
         : null;
     },
   };
 }
 
+/** One for each language, since a sketch and its model have a name. */
+async function makeFirstModels(folders: FirstModelFolders): Promise<Record<Language, MadeModel>> {
+  return { en: await makeFirstModel(folders, 'en'), de: await makeFirstModel(folders, 'de') };
+}
+
 /** @throws Error when there is no example, or no buildable model of it. */
-export async function makeFirstModel(folders: FirstModelFolders): Promise<MadeModel> {
+export async function makeFirstModel(
+  folders: FirstModelFolders,
+  language: Language,
+): Promise<MadeModel> {
   const fetchJson = async (path: string): Promise<unknown> =>
     JSON.parse(readFileSync(join(folders.public, path), 'utf8'));
-  const example = await loadFirstExample(fetchJson);
+  const example = await loadFirstExample(fetchJson, language);
   if (!example) {
     throw new Error('examples/index.json names no example that can be read');
   }

@@ -29,8 +29,10 @@ std::string textOf(const std::filesystem::path& path) {
 std::vector<std::string> listedFiles() {
   std::vector<std::string> files;
   for (const nlohmann::json& entry : nlohmann::json::parse(textOf(folder() / "index.json"))) {
-    EXPECT_FALSE(entry.at("name").get<std::string>().empty());
-    EXPECT_FALSE(entry.at("description").get<std::string>().empty());
+    for (const char* language : {"en", "de"}) {
+      EXPECT_FALSE(entry.at("name").at(language).get<std::string>().empty());
+      EXPECT_FALSE(entry.at("description").at(language).get<std::string>().empty());
+    }
     EXPECT_EQ(entry.at("id").get<std::string>() + ".sketch.json", entry.at("file"));
     files.push_back(entry.at("file").get<std::string>());
   }

@@ -1,6 +1,8 @@
 import type { SketchDocument } from '../model/sketch.ts';
+import type { Language } from '../state/preferences.ts';
 import { readSketchValue } from '../state/read-sketch.ts';
 import type { Example } from '../ui/page.ts';
+import { inLanguage, language } from '../ui/text/language.ts';
 
 /** Reads JSON from beside the page; null when it is not there. */
 type FetchJson = (path: string) => Promise<unknown>;
@@ -8,14 +10,17 @@ type FetchJson = (path: string) => Promise<unknown>;
 /** The examples in the order of their index. One that cannot be read is left out. */
 export async function loadExamples(fetchJson: FetchJson): Promise<Example[]> {
   const index = await fetchJson('examples/index.json');
-  const rows = entriesOf(index);
+  const rows = entriesOf(index, language);
   const loaded = await Promise.all(rows.map((row) => loadExample(row, fetchJson)));
   return loaded.filter((example) => example !== null);
 }
 
 /** The first of them alone: what a first visit begins with. */
-export async function loadFirstExample(fetchJson: FetchJson): Promise<Example | null> {
-  const [row] = entriesOf(await fetchJson('examples/index.json'));
+export async function loadFirstExample(
+  fetchJson: FetchJson,
+  wanted: Language,
+): Promise<Example | null> {
+  const [row] = entriesOf(await fetchJson('examples/index.json'), wanted);
   return row ? loadExample(row, fetchJson) : null;
 }
 
@@ -35,26 +40,29 @@ async function loadExample(row: IndexRow, fetchJson: FetchJson): Promise<Example
   return sketch.ok ? { ...row, sketch: sketch.value } : null;
 }
 
-function entriesOf(index: unknown): IndexRow[] {
+function entriesOf(index: unknown, wanted: Language): IndexRow[] {
   const list =
     typeof index === 'object' && index !== null && 'examples' in index ? index.examples : index;
   if (!Array.isArray(list)) {
     return [];
   }
   return list.flatMap((entry: unknown) => {
-    const row = rowOf(entry);
+    const row = rowOf(entry, wanted);
     return row ? [row] : [];
   });
 }
 
-function rowOf(entry: unknown): IndexRow | null {
+function rowOf(entry: unknown, wanted: Language): IndexRow | null {
   if (typeof entry !== 'object' || entry === null) {
     return null;
   }
-  const { file, title, name, description } = entry as Record<string, unknown>;
+  const { file, name, description } = entry as Record<string, unknown>;
   if (typeof file !== 'string' || !/^[\w-]+(\.[\w-]+)*\.json$/.test(file)) {
     return null;
   }
-  const label = typeof title === 'string' ? title : typeof name === 'string' ? name : file;
-  return { file, title: label, description: typeof description === 'string' ? description : '' };
+  return {
+    file,
+    title: inLanguage(name, wanted) || file,
+    description: inLanguage(description, wanted),
+  };
 }

@@ -1,4 +1,4 @@
-import { firstModel } from 'virtual:first-model';
+import { firstModels } from 'virtual:first-model';
 import { computed, effect } from '@preact/signals';
 import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
@@ -169,6 +169,7 @@ async function openFirst(
     return null;
   }
   turnUntilTouched(scene);
+  const firstModel = firstModels[language];
   const { sketch, settings } = firstModel;
   controller.shelf.leave(sketch);
   state.came.value = sketch;

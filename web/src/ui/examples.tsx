@@ -25,7 +25,8 @@ export function Examples() {
             >
               <SketchPicture sketch={example.sketch} />
               <strong>{example.title}</strong>
-              <span class="quiet">{plural(example.sketch.lines.length, 'line')}</span>
+              <span class="quiet">{example.description}</span>
+              <small class="quiet">{plural(example.sketch.lines.length, 'line')}</small>
             </button>
           </li>
         ))}

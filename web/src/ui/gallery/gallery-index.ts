@@ -1,6 +1,6 @@
 import { readSketchValue } from '../../state/read-sketch.ts';
 import type { Example } from '../page.ts';
-import { language } from '../text/language.ts';
+import { inLanguage } from '../text/language.ts';
 
 /** One model of the gallery, as public/gallery/index.json lists it. */
 export interface GalleryRow {
@@ -80,13 +80,4 @@ function readRow(value: unknown): GalleryRow | null {
     bricks: Number(bricks) || 0,
     mass: Number(mass) || 0,
   };
-}
-
-function inLanguage(value: unknown): string {
-  const words = (typeof value === 'object' && value !== null ? value : {}) as Record<
-    string,
-    unknown
-  >;
-  const found = words[language] ?? words['en'];
-  return typeof found === 'string' ? found : '';
 }

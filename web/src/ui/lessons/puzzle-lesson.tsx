@@ -84,19 +84,23 @@ export function PuzzleLesson() {
           {words.clear}
         </button>
       </div>
-      <PuzzleBoard side={CELL * size} beams={beams} onLay={lay} onBeam={press} />
-      <p class="quiet">{words.layerNote}</p>
-      <p role="status">{said}</p>
-      <dl class="puzzle-score">
-        <Figure name={words.beams} value={score.beams} id="beams" />
-        <Figure name={words.uncovered} value={score.uncovered} id="uncovered" />
-        <Figure name={words.collisions} value={score.collisions} id="collisions" />
-        <Figure name={words.gaps} value={score.gaps} id="gaps" />
-        <Figure name={words.pieces} value={score.pieces} id="pieces" />
-      </dl>
-      <p>{fillWords(words.best, { n: FEWEST[size] })}</p>
-      <SolverPlay key={size} size={size} onCount={setSolver} />
-      <Praise when={score.complete} words={verdict(score.beams, size, solver)} />
+      <div class="puzzle-play">
+        <PuzzleBoard side={CELL * size} beams={beams} onLay={lay} onBeam={press} />
+        <div class="puzzle-side">
+          <p class="quiet">{words.layerNote}</p>
+          <p role="status">{said}</p>
+          <dl class="puzzle-score">
+            <Figure name={words.beams} value={score.beams} id="beams" />
+            <Figure name={words.uncovered} value={score.uncovered} id="uncovered" />
+            <Figure name={words.collisions} value={score.collisions} id="collisions" />
+            <Figure name={words.gaps} value={score.gaps} id="gaps" />
+            <Figure name={words.pieces} value={score.pieces} id="pieces" />
+          </dl>
+          <p>{fillWords(words.best, { n: FEWEST[size] })}</p>
+          <SolverPlay key={size} size={size} onCount={setSolver} />
+          <Praise when={score.complete} words={verdict(score.beams, size, solver)} />
+        </div>
+      </div>
     </>
   );
 }

@@ -26,6 +26,19 @@ export function chooseWords<T>(en: T, de: Words<T>): Words<T> {
   return language === 'de' ? de : (en as Words<T>);
 }
 
+/** The words of a file that has them by language, such as `{"en": "Chair", "de": "Stuhl"}`; '' if it has none. */
+export function inLanguage(value: unknown, wanted: Language = language): string {
+  if (typeof value === 'string') {
+    return value;
+  }
+  const words = (typeof value === 'object' && value !== null ? value : {}) as Record<
+    string,
+    unknown
+  >;
+  const found = words[wanted] ?? words['en'];
+  return typeof found === 'string' ? found : '';
+}
+
 /** A number as this language writes it. */
 export function formatNumber(value: number, digits = 0): string {
   return value.toLocaleString(language, {

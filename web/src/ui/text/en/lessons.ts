@@ -31,7 +31,7 @@ export const LESSONS_EN = {
     folding: [
       'Why does a square fold?',
       'Four beams and four pins are a hinge in disguise: the corners turn. Three beams and three pins cannot move, because three lengths fix a triangle.',
-      'Pull the corner of the square. Then add a brace that stops it. Which brace length fits a square of 6 and 8?',
+      'Pull the corner of the frame. Then add a brace that stops it. Which brace length fits a frame of 6 by 8?',
     ],
     puzzle: [
       'Layers and gaps: the grid puzzle',
