@@ -4,6 +4,16 @@
 
 namespace liftarm::analysis {
 
+namespace {
+
+lattice::Cell cellOf(lattice::Vec3 p) {
+  return {static_cast<int>(std::floor(p.x + 0.5)),
+          static_cast<int>(std::floor(p.y + 0.5)),
+          static_cast<int>(std::floor(p.z + 0.5))};
+}
+
+}  // namespace
+
 NodeIndex::NodeIndex(const std::vector<EdgeCover>& edges) {
   for (const EdgeCover& edge : edges) {
     const int index = static_cast<int>(from_.size());
@@ -15,13 +25,13 @@ NodeIndex::NodeIndex(const std::vector<EdgeCover>& edges) {
 }
 
 int NodeIndex::add(lattice::Vec3 p) {
-  const lattice::Cell cell{static_cast<int>(std::floor(p.x + 0.5)),
-                           static_cast<int>(std::floor(p.y + 0.5)),
-                           static_cast<int>(std::floor(p.z + 0.5))};
-  for (int x = -1; x <= 1; ++x) {
-    for (int y = -1; y <= 1; ++y) {
-      for (int z = -1; z <= 1; ++z) {
-        const auto known = cells_.find(cell + lattice::Cell{x, y, z});
+  const lattice::Vec3 reach{kSameNode, kSameNode, kSameNode};
+  const lattice::Cell low = cellOf(p - reach);
+  const lattice::Cell high = cellOf(p + reach);
+  for (int x = low.x; x <= high.x; ++x) {
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int z = low.z; z <= high.z; ++z) {
+        const auto known = cells_.find({x, y, z});
         if (known == cells_.end()) {
           continue;
         }
@@ -36,7 +46,7 @@ int NodeIndex::add(lattice::Vec3 p) {
   const int node = static_cast<int>(points_.size());
   points_.push_back(p);
   edgesAt_.emplace_back();
-  cells_[cell].push_back(node);
+  cells_[cellOf(p)].push_back(node);
   return node;
 }
 
