@@ -159,16 +159,37 @@ bool ConnectionSearch::respectsJoint(const OrientedMechanism& m,
          });
 }
 
-//! Whether a head may go into a beam's hole that has one of the heads before it already: they must
-//! go in together, so along one axis and side by side. Only frames have holes on two axes.
-bool ConnectionSearch::goesIn(const PackedShape& shape, int origin, int head) const {
+//! Whether a mechanism's body has room to draw back from a frame by a module, where it stands on
+//! one side of the hole that a head is in: between two bars it may have none.
+bool ConnectionSearch::comesOut(const PackedShape& shape, Cell place) const {
   const PackedCell* cells = cells_.data() + shape.first;
-  const std::uint8_t axis = cells[head].axis;
-  const int terminal = codes_[at(origin + cells[head].offset)] >> 2;
-  return std::none_of(cells, cells + head, [&](const PackedCell& before) {
-    return codes_[at(origin + before.offset)] >> 2 == terminal &&
-           (before.axis != axis || before.at[axis] != cells[head].at[axis]);
-  });
+  const auto frameAt = [&](Cell cell) {
+    const LocalHole* hole = inBox(cell) ? problem_->holeAt(boxIndex(cell)) : nullptr;
+    const bool frame = hole != nullptr && hole->terminal >= 0 &&
+                       (problem_->frames >> static_cast<unsigned>(hole->terminal) & 1U) != 0U;
+    return frame ? hole->terminal : -1;
+  };
+  const auto isOwn = [&](Cell cell) {
+    return std::any_of(cells, cells + shape.count, [&](const PackedCell& own) {
+      return unpacked(own.at) + place == cell;
+    });
+  };
+  for (int head = 0; head < shape.heads; ++head) {
+    const Cell hole = unpacked(cells[head].at) + place;
+    Cell step;
+    step[cells[head].axis] = 1;
+    const bool ahead = isOwn(hole + step);
+    const bool through = ahead && isOwn(hole - step);
+    step[cells[head].axis] = ahead ? 1 : -1;
+    const int terminal = frameAt(hole);
+    if (terminal >= 0 && !through &&
+        std::any_of(cells + shape.heads, cells + shape.count, [&](const PackedCell& body) {
+          return frameAt(unpacked(body.at) + place + step) == terminal;
+        })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 //! \param head Which of the mechanism's cells takes the hole.
@@ -204,13 +225,11 @@ void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
       continue;
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>((code - kTerminal) >> 2);
-    if ((candidate.terminals & bit) != 0U) {
-      if (!goesIn(shape, origin, i)) {
-        return;
-      }
-      candidate.cost -= kExtraHoleBonus;
-    }
+    candidate.cost -= (candidate.terminals & bit) != 0U ? kExtraHoleBonus : 0.0;
     candidate.terminals |= bit;
+  }
+  if ((problem_->frames & candidate.terminals) != 0U && !comesOut(shape, place)) {
+    return;
   }
   if (!problem_->isJoint ||
       (!strangers && respectsJoint(table_->oriented(id), place, candidate.terminals))) {

@@ -53,7 +53,7 @@ class ConnectionSearch {
   void collect(int radius);
   void findHoles(int radius);
   void tryPlace(std::int32_t id, int head, lattice::Cell hole);
-  [[nodiscard]] bool goesIn(const PackedShape& shape, int origin, int head) const;
+  [[nodiscard]] bool comesOut(const PackedShape& shape, lattice::Cell place) const;
   void sortCandidates();
   void toClusters();
   [[nodiscard]] bool respectsJoint(const mechanisms::OrientedMechanism& m,

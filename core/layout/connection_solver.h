@@ -60,6 +60,7 @@ class LocalProblem {
   lattice::Axis jointAxis = lattice::Axis::kX;
   std::array<std::int8_t, kMaxTerminals> group{};  //!< joint group of each terminal, -1: any
   std::array<std::int8_t, kMaxTerminals> cluster{};
+  std::uint32_t frames = 0;  //!< bit t: terminal t is a frame, which has bars on several sides
 
   [[nodiscard]] const LocalHole* holeAt(int cell) const;
   [[nodiscard]] bool blocked(int cell) const;

@@ -36,7 +36,8 @@ bool Layout::hasFrameAt(int junction) const {
 }
 
 //! Enters a frame's bar into the local problem. Any of the frame's holes will do where one of its
-//! bars is to be joined; where bars meet, the one on the lowest run brings the hole.
+//! bars is to be joined; elsewhere only those along its normal, so that no mechanism goes into a
+//! frame along two axes. Where bars meet, the one on the lowest run brings the hole.
 void Layout::fillFrame(const RunView& view,
                        const Beam& bar,
                        const InlinePins& before,
@@ -50,6 +51,7 @@ void Layout::fillFrame(const RunView& view,
     const bool same = beam >= 0 && runs_[at(other)].cover.beams[at(beam)].site == bar.site;
     terminal = same ? static_cast<int>(t) : -1;
   }
+  local_.frames |= terminal < 0 ? 0U : 1U << static_cast<unsigned>(terminal);
   const bool foreign = run.piece != localPiece_;
   Cell layer;
   layer[lattice::index(axis)] = bar.layer;
@@ -63,7 +65,7 @@ void Layout::fillFrame(const RunView& view,
     if (!view.aligned || !inBox(cell) || brought) {
       continue;
     }
-    if (!across_ && !bar.hasHoleAt(i)) {
+    if ((!across_ || terminal < 0) && !bar.hasHoleAt(i)) {
       local_.block(boxIndex(cell));
     } else {
       local_.addHole({cell,

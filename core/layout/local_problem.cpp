@@ -21,6 +21,7 @@ void LocalProblem::clear() {
   holes_.clear();
   terminals = 0;
   isJoint = false;
+  frames = 0;
   group.fill(-1);
   for (std::size_t t = 0; t < cluster.size(); ++t) {
     cluster[t] = static_cast<std::int8_t>(t);
@@ -103,6 +104,9 @@ std::uint64_t LocalProblem::hash() const {
   for (int t = 0; t < terminals; ++t) {
     const auto at = static_cast<std::size_t>(t);
     hash = base::mixHash(hash, static_cast<std::uint64_t>(cluster[at] * 64 + group[at] + 1));
+  }
+  if (frames != 0) {
+    hash = base::mixHash(hash, frames);
   }
   return base::mixHash(hash,
                        isJoint ? 1U + static_cast<std::uint64_t>(lattice::index(jointAxis)) : 0U);

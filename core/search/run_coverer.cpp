@@ -17,10 +17,7 @@ using layout::Beam;
 using layout::Cover;
 using layout::kLayerCount;
 
-constexpr double kNever = 1e18;
 constexpr int kMostOverlap = 3;
-constexpr double kForbidden = 1e6;
-constexpr double kFixedBonus = 1e7;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -35,7 +32,7 @@ unsigned bit(int layer) {
 RunCoverer::RunCoverer(const layout::LayoutProblem& problem,
                        std::vector<int> lengths,
                        CoverCosts costs)
-    : problem_(&problem), lengths_(std::move(lengths)), costs_(costs) {}
+    : problem_(&problem), allowed_(std::move(lengths)), lengths_(allowed_), costs_(costs) {}
 
 std::size_t RunCoverer::beamIndex(int start, std::size_t length, int layer) const {
   return (at(layer + reach_) * at(edges_ + 2) + at(start + 1)) * lengths_.size() + length;
@@ -180,6 +177,12 @@ void RunCoverer::setPlainCosts(int layer) {
                      costs_.hole * static_cast<double>(lengths_[n]) +
                      costs_.layer * static_cast<double>(layer < 0 ? -layer : layer) +
                      costs_.layerHole * static_cast<double>(lengths_[n] * layer * layer);
+    const int place = allowedPlace(n);
+    if (place < 0) {
+      plainCosts_[n] += kNever;
+    } else if (!lengthCosts_.empty()) {
+      plainCosts_[n] += lengthCosts_[at(place)];
+    }
   }
 }
 
@@ -205,7 +208,6 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
           nodeCosts += nodeCosts_[at(node + 1)];
         }
         double cost = plainCosts_[n] + nodeCosts + noise * rng->unit();
-        cost += lengthCosts_.empty() ? 0.0 : lengthCosts_[n];
         cost += start < 0 ? costs_.overhang : 0.0;
         cost += last > edges_ ? costs_.overhang : 0.0;
         cost +=
@@ -214,55 +216,6 @@ void RunCoverer::addBeamCosts(int run, Axis axis, double noise, base::Rng* rng) 
       }
     }
   }
-}
-
-//! Makes the fixed beams irresistible, and what stands in their place impossible.
-void RunCoverer::favourFixed() {
-  for (const Beam& fixed : fixed_) {
-    for (int start = -1; start <= edges_; ++start) {
-      for (std::size_t n = 0; n < lengths_.size(); ++n) {
-        const int last = start + lengths_[n] - 1;
-        if (start == fixed.start && lengths_[n] == fixed.holes) {
-          beamCost_[beamIndex(start, n, fixed.layer)] -= kFixedBonus;
-        } else if (last <= edges_ + 1 && start <= fixed.solidLast() && last >= fixed.solidStart()) {
-          beamCost_[beamIndex(start, n, fixed.layer)] += kForbidden;
-        }
-      }
-    }
-  }
-}
-
-//! Notes where no beam can be pinned to a fixed one.
-void RunCoverer::markCrossedHoles() {
-  crossed_.clear();
-  for (const Beam& fixed : fixed_) {
-    for (int node = fixed.start; node <= fixed.last() && fixed.crossed != 0; ++node) {
-      crossed_.resize(value_.size(), 0);
-      crossed_[at(stateOf(node, fixed.layer))] = fixed.hasHoleAt(node) ? 0 : 1;
-    }
-  }
-}
-
-bool RunCoverer::isCrossed(int node, int layer) const {
-  return !crossed_.empty() && crossed_[at(stateOf(node, layer))] != 0;
-}
-
-//! Marks the arms of bent beams in a cover; false when one is missing, or its axle hole's place is
-//! taken.
-bool RunCoverer::markFixed(Cover* cover) const {
-  return std::all_of(fixed_.begin(), fixed_.end(), [&](const Beam& fixed) {
-    bool found = false;
-    for (Beam& beam : cover->beams) {
-      if (beam.start == fixed.start && beam.holes == fixed.holes && beam.layer == fixed.layer) {
-        beam = fixed;
-        found = true;
-      } else if (beam.layer == fixed.layer && beam.solidStart() <= fixed.solidLast() &&
-                 beam.solidLast() >= fixed.solidStart()) {
-        return false;
-      }
-    }
-    return found;
-  });
 }
 
 void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {

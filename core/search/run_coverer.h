@@ -41,7 +41,8 @@ class RunCoverer {
 
   //! \brief Beams that the next proposals must contain as they are: arms of bent beams and bars of
   //! frames. Empty again: none.
-  void setFixed(std::vector<layout::Beam> fixed) { fixed_ = std::move(fixed); }
+  //! They may have lengths that no other beam of the proposals may have.
+  void setFixed(std::vector<layout::Beam> fixed);
 
   //! \brief Highest layer, on either side, that the next proposals may use: fewer layers, less
   //! work.
@@ -59,6 +60,9 @@ class RunCoverer {
   [[nodiscard]] const CoverCosts& costs() const { return costs_; }
 
  private:
+  static constexpr double kNever = 1e18;     // more than any cover costs
+  static constexpr double kForbidden = 1e6;  // more than any cover costs that is allowed
+
   struct Choice {
     int previous = -1;  //!< state that it continues, -1 at the run's start
     int start = 0;
@@ -70,6 +74,7 @@ class RunCoverer {
   void addToBeams(int layer, int firstEnd, int lastStart, double cost);
   void countForbidden(int run, lattice::Axis axis, int layer);
   void setPlainCosts(int layer);
+  [[nodiscard]] int allowedPlace(std::size_t length) const;
   void addBeamCosts(int run, lattice::Axis axis, double noise, base::Rng* rng);
   void favourFixed();
   [[nodiscard]] bool markFixed(layout::Cover* cover) const;
@@ -84,12 +89,13 @@ class RunCoverer {
   void extendFrom(int last, int layer);
 
   const layout::LayoutProblem* problem_;
-  std::vector<int> lengths_;
+  std::vector<int> allowed_;  // lengths of beams that are not fixed
+  std::vector<int> lengths_;  // and of those that are
   CoverCosts costs_;
 
   std::vector<layout::Beam> fixed_;
   std::vector<layout::Stadium> rooms_;  // that another run takes
-  std::vector<double> lengthCosts_;     // by place in lengths_, or empty
+  std::vector<double> lengthCosts_;     // by place in allowed_, or empty
   const std::vector<int>* preferred_ = nullptr;
 
   // One run's working set, reused from call to call.

@@ -67,6 +67,12 @@ TEST(Frames, AreNotUsedWhenSwitchedOffOrNotOwned) {
   }
 }
 
+TEST(Frames, NeedNoStraightBeamsOfTheLengthsOfTheirBars) {
+  const Solved solved = solve(testing::ladderSketch(), {{"lengths", "3,9"}});
+  EXPECT_EQ(solved.count("64178"), 1);
+  EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
+}
+
 TEST(Frames, AreNotExceededWhereOthersServe) {
   sketch::Sketch two = testing::rectangleSketch(4, 6);
   for (const sketch::Line& line : testing::rectangleSketch(4, 6).lines) {

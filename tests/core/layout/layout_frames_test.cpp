@@ -103,6 +103,45 @@ TEST(LayoutFrames, ALegIsPinnedToTheHoleAcrossABar) {
   EXPECT_EQ(layout.tallies().connectors, 2);  // a pin for each leg
 }
 
+//! A frame's two bars, four modules apart with holes across, and a beam above their middle.
+LocalProblem betweenBars() {
+  LocalProblem problem;
+  problem.clear();
+  problem.terminals = 2;
+  for (const int x : {0, 4}) {
+    for (int z = -2; z <= 2; ++z) {
+      problem.addHole({{x, 0, z}, Axis::kX, 0, false});
+    }
+  }
+  for (int x = 0; x <= 4; ++x) {
+    problem.addHole({{x, 1, 0}, Axis::kY, 1, false});
+  }
+  return problem;
+}
+
+TEST(LayoutFrames, WhatStandsBetweenTwoBarsHasRoomToDrawBack) {
+  ConnectionSolver solver(testing::defaultTable());
+  const auto isFrame = [](lattice::Cell cell) {
+    return (cell.x == 0 || cell.x == 4) && cell.y == 0 && cell.z >= -2 && cell.z <= 2;
+  };
+  LocalProblem problem = betweenBars();
+  problem.frames = 1U;
+  const Connection connection = solver.solve(problem);
+  for (const PlacedMechanism& placed : connection.mechanisms) {
+    const mechanisms::OrientedMechanism& m = testing::defaultTable().oriented(placed.oriented);
+    bool atZero = false;
+    bool atFour = false;
+    for (const mechanisms::MechanismCell& cell : m.shape.cells) {
+      const lattice::Cell at = cell.at + placed.at;
+      atZero = atZero || (isFrame(at) && at.x == 0) ||
+               (!cell.head && isFrame(at - lattice::Cell{1, 0, 0}));
+      atFour = atFour || (isFrame(at) && at.x == 4) ||
+               (!cell.head && isFrame(at + lattice::Cell{1, 0, 0}));
+    }
+    EXPECT_FALSE(atZero && atFour);
+  }
+}
+
 TEST(LayoutFrames, ABeamInLineIsPinnedWhereBothHaveAHoleOnly) {
   // A rail of 20: the frame ends at 10, and has holes along its normal at 8 and 6, not at 9 and 10.
   const sketch::Sketch sketch = testing::sketchFrom({{{0, 0, 0}, {20, 0, 0}},

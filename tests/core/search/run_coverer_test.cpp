@@ -192,6 +192,31 @@ TEST(RunCoverer, LeavesNoLayerOfAnExactLineThatNoBeamFits) {
   }
 }
 
+TEST(RunCoverer, GivesFixedBeamsAloneALengthThatIsNotAllowed) {
+  LayoutBench bench(testing::lineSketch(20));
+  const Layout layout(bench.problem, bench.solver);
+  RunCoverer coverer(bench.problem, {3, 5}, CoverCosts{});
+  base::Rng rng(1);
+  for (int start = 0; start <= 14; ++start) {
+    coverer.setFixed({{start, 7, 1}});
+    const auto cover = coverer.propose(layout, 0, Axis::kZ, 9.0, &rng);
+    ASSERT_TRUE(cover.has_value());
+    int fixed = 0;
+    for (const Beam& beam : cover->beams) {
+      const bool isFixed = beam == Beam{start, 7, 1};
+      fixed += isFixed ? 1 : 0;
+      EXPECT_TRUE(isFixed || beam.holes == 3 || beam.holes == 5);
+    }
+    EXPECT_EQ(fixed, 1);
+  }
+  coverer.setFixed({});
+  const auto free = coverer.propose(layout, 0, Axis::kZ, 9.0, &rng);
+  ASSERT_TRUE(free.has_value());
+  for (const Beam& beam : free->beams) {
+    EXPECT_LE(beam.holes, 5);
+  }
+}
+
 TEST(RunCoverer, SaysSoWhenNoAllowedLengthFits) {
   LayoutBench bench(testing::lineSketch(3));
   const Layout layout(bench.problem, bench.solver);
