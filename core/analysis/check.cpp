@@ -84,17 +84,6 @@ bool isBuildable(const model::Model& model, const parts::Catalogue& catalogue) {
          (!joints || fulfils(checkJoints(scene, analyseFreedoms(scene, coverage))));
 }
 
-std::optional<int> freedomsOfBuildable(const model::Model& model,
-                                       const parts::Catalogue& catalogue) {
-  const Scene scene = makeScene(model, catalogue);
-  const std::vector<EdgeCover> coverage = findCoverage(scene);
-  if (!holdsTogether(scene, coverage)) {
-    return std::nullopt;
-  }
-  const MotionReport motion = analyseFreedoms(scene, coverage);
-  return fulfils(checkJoints(scene, motion)) ? std::optional(motion.held.internal) : std::nullopt;
-}
-
 CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalogue) {
   const Scene scene = makeScene(model, catalogue);
   const std::vector<EdgeCover> coverage = findCoverage(scene);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,10 +47,5 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
 
 //! \brief checkModel()'s answer alone: what is quick to see first, and no further once it is no.
 bool isBuildable(const model::Model& model, const parts::Catalogue& catalogue);
-
-//! \brief The internal freedoms that pins with friction leave (MotionReport::held) to a model that
-//! is buildable; nothing for any other.
-std::optional<int> freedomsOfBuildable(const model::Model& model,
-                                       const parts::Catalogue& catalogue);
 
 }  // namespace liftarm::analysis

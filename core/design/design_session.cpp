@@ -55,7 +55,7 @@ std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& pr
     return std::make_unique<search::PaperSearch>(problem, solver, std::move(options));
   }
   search::AnnealingOptions options = settings.annealing;
-  options.held = makeHeld(problem, solver.table(), sketch);
+  options.held = makeHeld(problem, solver.table());
   if (objective::isRigid(settings.preset)) {
     options.freedoms = makeLooseness(problem, solver.table(), sketch);
   }

@@ -37,13 +37,13 @@ std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
   };
 }
 
-std::function<int(const search::LayoutSnapshot&)> makeHeld(const layout::LayoutProblem& problem,
-                                                           const mechanisms::MechanismTable& table,
-                                                           const sketch::Sketch& sketch) {
-  const std::string text = sketch::writeSketch(sketch);
-  return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
-    const model::Model model = buildModel(problem, table, snapshot, "", text);
-    return analysis::freedomsOfBuildable(model, parts::Catalogue::builtIn()).value_or(-1);
+std::function<int(const search::LayoutSnapshot&)> makeHeld(
+    const layout::LayoutProblem& problem, const mechanisms::MechanismTable& table) {
+  return [&problem, &table](const search::LayoutSnapshot& snapshot) {
+    const model::Model model = buildModel(problem, table, snapshot, "", "");
+    const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
+    return analysis::findFreedoms(analysis::makeFreedomsQuery(scene, {}, analysis::Friction::kHeld))
+        .internal;
   };
 }
 

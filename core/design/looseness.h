@@ -24,10 +24,9 @@ std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
     const mechanisms::MechanismTable& table,
     const sketch::Sketch& sketch);
 
-//! \brief AnnealingOptions::held: freedoms of the real model with friction, -1 where a check fails.
-//! \pre problem and table outlive the answer.
+//! \brief How many ways the model of a layout can move that friction does not hold, its joints
+//! included. \pre problem and table outlive the function.
 std::function<int(const search::LayoutSnapshot&)> makeHeld(const layout::LayoutProblem& problem,
-                                                           const mechanisms::MechanismTable& table,
-                                                           const sketch::Sketch& sketch);
+                                                           const mechanisms::MechanismTable& table);
 
 }  // namespace liftarm::design

@@ -64,8 +64,8 @@ struct AnnealingOptions {
   //! the rounds that ask for freedoms keep no layout as their best before asking this, and a search
   //! that ends with frames asks it once: their holes on two axes can lock parts together.
   std::function<bool(const LayoutSnapshot&)> buildable;
-  //! How many ways a layout can move that friction does not hold, -1 where it is not buildable;
-  //! empty: all are as good. Asked of the few layouts in which axles cover lines that pins held.
+  //! How many ways a layout can move that friction does not hold; empty: nobody minds. Asked of the
+  //! few layouts in which axles cover lines whose beams pins held.
   std::function<int(const LayoutSnapshot&)> held;
 };
 

@@ -21,7 +21,7 @@ constexpr std::uint64_t kMovesPerRun = 30;
 constexpr std::uint64_t kFewMoves = 60;
 constexpr std::uint64_t kMostMoves = 500;
 constexpr double kMostShare = 0.3;
-constexpr int kMostChecks = 4;  // they are dear
+constexpr int kMostChecks = 4;  // of all that makes a model buildable: they are dear
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -205,7 +205,7 @@ void Annealer::keepBestTrial() {
   bestTrial_.missing = missing_;
 }
 
-//! Whether the model of a trial can be built and is as stiff as the best one.
+//! Whether the model of a trial is as stiff as the best one and can be built.
 bool Annealer::isSound(LayoutSnapshot* trial) {
   if (options_.freedoms) {
     trial->freedoms = options_.freedoms(*trial);
@@ -213,16 +213,15 @@ bool Annealer::isSound(LayoutSnapshot* trial) {
       return false;
     }
   }
-  if (!options_.held) {
-    return true;
-  }
-  if (!heldBefore_) {
-    heldBefore_ = options_.held(best_);
-    --checksLeft_;
+  if (options_.held) {
+    const int before = heldBefore_ ? *heldBefore_ : options_.held(best_);
+    heldBefore_ = before;
+    if (options_.held(*trial) > before) {
+      return false;
+    }
   }
   --checksLeft_;
-  const int held = options_.held(*trial);
-  return held >= 0 && (*heldBefore_ < 0 || held <= *heldBefore_);
+  return isBuildable(*trial);
 }
 
 void Annealer::finishTrial() {

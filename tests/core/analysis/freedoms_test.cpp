@@ -50,6 +50,39 @@ INSTANTIATE_TEST_SUITE_P(All,
                          ::testing::ValuesIn(testing::knownMechanisms()),
                          [](const auto& test) { return test.param.name; });
 
+//! Two beams on the first axle of frameOfAxles() alone.
+model::Model beamsOnOneAxle(const std::string& joint) {
+  model::Model model = testing::frameOfAxles();
+  model.parts.resize(7);
+  model.sketchJson =
+      testing::sketchOf({{{0, 0, 0}, {4, 0, 0}}, {{0, 4, 0}, {4, 4, 0}}, {{0, 0, 0}, {0, 4, 0}}},
+                        R"(,"joints":[)" + joint + "]");
+  return model;
+}
+
+TEST(Freedoms, AJointAboutALineTurnsOnTheAxleThatStandsForIt) {
+  const Freedoms freedoms = freedomsOf(
+      beamsOnOneAxle(R"({"at":[0,0,0],"axis":[0,1,0],"between":[[2],[0]]})"), Friction::kHeld);
+  ASSERT_EQ(freedoms.jointTurns.size(), 1U);
+  EXPECT_TRUE(freedoms.jointTurns.front());
+  EXPECT_EQ(freedoms.internal, 1);
+  EXPECT_EQ(freedoms.beyondJoints, 0);
+}
+
+TEST(Freedoms, AnAxleAloneIsOneSideOfAJoint) {
+  model::Model model = beamsOnOneAxle(R"({"at":[0,0,0],"axis":[0,1,0],"between":[[1],[0]]})");
+  model.parts.erase(model.parts.begin() + 1);
+  model.parts[4] = testing::partAt("3713", {0, 2, 0});
+  model.parts.pop_back();
+  model.sketchJson =
+      testing::sketchOf({{{0, 0, 0}, {4, 0, 0}}, {{0, 0, 0}, {0, 4, 0}}},
+                        R"(,"joints":[{"at":[0,0,0],"axis":[0,1,0],"between":[[1],[0]]}])");
+  const Freedoms freedoms = freedomsOf(model, Friction::kHeld);
+  ASSERT_EQ(freedoms.jointTurns.size(), 1U);
+  EXPECT_TRUE(freedoms.jointTurns.front());
+  EXPECT_EQ(freedoms.beyondJoints, 0);
+}
+
 struct RealModel : ::testing::TestWithParam<model::Model> {};
 
 TEST_P(RealModel, HasTheFreedomsOfADenseDecomposition) {

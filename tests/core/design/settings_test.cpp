@@ -62,6 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadSettings{R"({"set": {"lengths": "2,4"}})", "4"},
                       BadSettings{R"({"set": {"lengths": ""}})", "set.lengths"},
                       BadSettings{R"({"set": {"bent": "32524"}})", "set.bent"},
+                      BadSettings{R"({"set": {"axles": "3713"}})", "set.axles"},
                       BadSettings{R"({"set": {"lengths": "two"}})", "two"},
                       BadSettings{R"({"set": {"connectors": "2780,nothing"}})", "nothing"}));
 
@@ -149,6 +150,19 @@ TEST(Settings, TakeNoBentBeamAtAll) {
   const base::Result<Settings> settings = readSettings(R"({"set": {"bent": ""}})");
   ASSERT_TRUE(settings.ok());
   EXPECT_TRUE(settings.value().annealing.bends.empty());
+}
+
+TEST(Settings, TakeAxlesByTheirNumber) {
+  const base::Result<Settings> settings = readSettings(R"({"set": {"axles": "3708,4519"}})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_EQ(settings.value().annealing.axles,
+            (std::vector<int>{layout::axlePartIndex("4519"), layout::axlePartIndex("3708")}));
+}
+
+TEST(Settings, LetNoAxleCoverALineWithoutBushes) {
+  const base::Result<Settings> settings = readSettings(R"({"set": {"connectors": "2780,15462"}})");
+  ASSERT_TRUE(settings.ok());
+  EXPECT_TRUE(settings.value().annealing.axles.empty());
 }
 
 TEST(Settings, HaveEveryWeightInTheirJson) {

@@ -57,6 +57,21 @@ TEST(RigidityMeasure, BeamsWithoutConnectionAreApart) {
   EXPECT_EQ(subsets(testing::lineSketch(8), {{Axis::kZ, {{0, 5, 0}, {5, 4, 0}}}}, {}), 2);
 }
 
+TEST(RigidityMeasure, TwoAxlesHoldWhatOneLetsTurn) {
+  const sketch::Sketch rails = testing::sketchFrom({{{0, 0, 0}, {4, 0, 0}},
+                                                    {{0, 4, 0}, {4, 4, 0}},
+                                                    {{0, 0, 0}, {0, 4, 0}},
+                                                    {{4, 0, 0}, {4, 4, 0}}});
+  std::vector<Cover> covers{
+      {Axis::kY, {{0, 5, 0}}}, {Axis::kY, {{0, 5, 0}}}, {Axis::kZ, {}}, {Axis::kZ, {}}};
+  EXPECT_EQ(subsets(rails, covers, {}), 2);
+  covers[2].axle.part = layout::axlePartIndex("44294");
+  covers[2].axle.start = -1;
+  EXPECT_EQ(subsets(rails, covers, {}), 2);
+  covers[3].axle = covers[2].axle;
+  EXPECT_EQ(subsets(rails, covers, {}), 1);
+}
+
 TEST(RigidityMeasure, ABentBeamAndAFrameAreOneBody) {
   const LayoutBench corner(testing::cornerSketch(4));
   std::vector<layout::Bend> bends;
