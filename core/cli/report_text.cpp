@@ -20,11 +20,12 @@ struct Row {
   const char* unit;
 };
 
-constexpr std::array<Row, 12> kRows{{{"seed", "seed", ""},
+constexpr std::array<Row, 13> kRows{{{"seed", "seed", ""},
                                      {"lines", "lines", ""},
                                      {"length", "length", " modules"},
                                      {"beams", "beams", ""},
-                                     {"beamsLowerBound", "lower bound of beams", ""},
+                                     {"beamsLowerBound", "lower bound of straight beams alone", ""},
+                                     {"axles", "lines covered by axles", ""},
                                      {"bricks", "bricks", ""},
                                      {"gaps", "gaps", ""},
                                      {"collisions", "collisions", ""},

@@ -50,7 +50,7 @@ const std::vector<model::Model>& models() {
   static const std::vector<model::Model> kModels = [] {
     std::vector<model::Model> all = testing::buildableModels();
     all.push_back(fourSquares());
-    for (const char* name : {"cart", "cube", "house", "box-shelf"}) {
+    for (const char* name : {"cart", "cube", "house", "box-shelf", "letter-a"}) {
       all.push_back(solvedExample(name));
     }
     return all;
