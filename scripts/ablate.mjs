@@ -87,7 +87,15 @@ function runsOf(row, files, { command, seeds, timeoutMs, args = [] }) {
   );
 }
 
-const TITLES = ['switched off', 'buildable', 'beams over bound', 'bricks', 'seconds', 'unreliable'];
+const TITLES = [
+  'switched off',
+  'buildable',
+  'beams over bound',
+  'bricks',
+  'seconds',
+  'slowest',
+  'unreliable',
+];
 
 function cellsOf({ row, result, whole }) {
   const bricks =
@@ -98,6 +106,7 @@ function cellsOf({ row, result, whole }) {
     result.overBound === null ? '-' : `${result.overBound.toFixed(1)} %`,
     bricks === null ? '-' : `${(100 * (bricks - 1)).toFixed(1)} %`,
     secondsText(result.seconds),
+    secondsText(result.slowest),
     result.unreliable.join(', ') || '-',
   ];
 }
@@ -139,7 +148,8 @@ Made by \`npm run ablate\`; do not edit. ${machineText}; one thread; seeds 1 to 
 
 Each row switches one part off (\`liftarm solve --set\`) and leaves all others on. Beams over the bound: mean over
 the buildable runs. Bricks: geometric mean against the whole search, over the runs that both could build. Seconds
-of the processor: median over all runs, also those that failed. Unreliable: sketches that not every seed could build.
+of the processor: median over all runs, also those that failed, and the slowest of them. Unreliable: sketches that
+not every seed could build.
 
 ${markdownTable(TITLES, rows.map(cellsOf))}
 

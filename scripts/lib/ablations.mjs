@@ -179,6 +179,7 @@ export function summariseAblation(runs, others) {
     overBound: over.length > 0 ? over.reduce((sum, x) => sum + x, 0) / over.length : null,
     bricks: geometricMean(inBoth.map(({ report }) => report.bricks)),
     seconds: median(runs.map(({ report }) => report?.seconds.processor ?? Number.NaN)),
+    slowest: Math.max(...runs.map(({ report }) => report?.seconds.processor ?? Number.NaN)),
     unreliable: [...new Set(bad)],
   };
 }
