@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -78,15 +79,11 @@ class Ordering {
   }
 
  private:
-  //! Single parts that stand lowest and need nothing before them but pins.
+  //! Single parts, the lowest first.
   [[nodiscard]] std::vector<int> beginnings() const {
     std::vector<int> found;
     for (std::size_t u = 0; u < units_.size(); ++u) {
-      const AssemblyUnit& unit = units_[u];
-      if (!unit.fastener && unit.removal.parts.size() == 1 && !unit.keepsPlace &&
-          std::all_of(unit.before.begin(), unit.before.end(), [&](int needed) {
-            return isPinOf(needed, unit) && units_[at(needed)].before.empty();
-          })) {
+      if (!units_[u].fastener && units_[u].removal.parts.size() == 1) {
         found.push_back(static_cast<int>(u));
       }
     }
@@ -98,39 +95,81 @@ class Ordering {
     return found;
   }
 
-  [[nodiscard]] bool isPinOf(int pin, const AssemblyUnit& unit) const {
-    return units_[at(pin)].fastener &&
-           std::binary_search(unit.touches.begin(), unit.touches.end(), pin);
-  }
-
-  //! A unit with the pins that come before it, and those that it is fixed with then.
-  struct Next {
-    int unit = -1;
-    std::vector<int> pins;
-    std::vector<int> pinsAfter;
-  };
-
+  //! What is there, and how the rest can still come in.
   struct Built {
     std::vector<int> order;
     std::vector<char> has;  //!< by unit
     std::vector<int> parts;
+    std::vector<std::uint16_t> blocked;  //!< by unit and direction, how many are in its way
+    std::vector<std::uint16_t> ways;     //!< by unit, directions in which none is
   };
 
-  void put(Built& built, int u) const {
+  [[nodiscard]] Built nothing() const {
+    const std::size_t directions = graphs_.blocking.directions().size();
+    const auto all = static_cast<std::uint16_t>(directions);
+    return {{},
+            std::vector<char>(units_.size(), 0),
+            {},
+            std::vector<std::uint16_t>(units_.size() * directions, 0),
+            std::vector<std::uint16_t>(units_.size(), all)};
+  }
+
+  //! \return Units that could not come in any more.
+  std::vector<int> put(Built& built, int u) const {
+    std::vector<int> shut;
     built.order.push_back(u);
     built.has[at(u)] = 1;
     const std::vector<int>& parts = units_[at(u)].removal.parts;
     built.parts.insert(built.parts.end(), parts.begin(), parts.end());
+    const std::size_t directions = graphs_.blocking.directions().size();
+    for (std::size_t d = 0; d < directions; ++d) {
+      // Directions come in opposite pairs: what u hits along one is hit by it along the other.
+      for (const int other : units_[at(u)].hits[d ^ 1U]) {
+        if (built.has[at(other)] == 0 && built.blocked[at(other) * directions + d]++ == 0 &&
+            --built.ways[at(other)] == 0) {
+          shut.push_back(other);
+        }
+      }
+    }
+    return shut;
   }
 
-  void put(Built& built, const Next& next) const {
-    for (const int pin : next.pins) {
-      put(built, pin);
+  //! Puts a unit in if all others can still come after it.
+  bool tryPut(Built& built, int u) const {
+    if (built.has[at(u)] != 0 || built.ways[at(u)] == 0) {
+      return false;
     }
-    put(built, next.unit);
-    for (const int pin : next.pinsAfter) {
-      put(built, pin);
+    Built then = built;
+    if (!put(then, u).empty()) {
+      return false;
     }
+    built = std::move(then);
+    return true;
+  }
+
+  //! The same, where pins of it that could not come after it come before it.
+  bool tryPutWithPins(Built& built, int u) const {
+    if (tryPut(built, u)) {
+      return true;
+    }
+    Built then = built;
+    const std::vector<int> shut = put(then, u);
+    then = built;
+    for (const int pin : shut) {
+      if (!isPinOf(pin, units_[at(u)]) || !tryPut(then, pin)) {
+        return false;
+      }
+    }
+    if (shut.empty() || !tryPut(then, u)) {
+      return false;
+    }
+    built = std::move(then);
+    return true;
+  }
+
+  [[nodiscard]] bool isPinOf(int pin, const AssemblyUnit& unit) const {
+    return units_[at(pin)].fastener &&
+           std::binary_search(unit.touches.begin(), unit.touches.end(), pin);
   }
 
   static bool anyOf(const std::vector<int>& units, const std::vector<char>& in) {
@@ -141,122 +180,103 @@ class Ordering {
     return std::all_of(units.begin(), units.end(), [&](int u) { return in[at(u)] != 0; });
   }
 
-  //! Pins that can go in once `there` is there, and fix a unit to what is built.
-  [[nodiscard]] std::vector<int> pinsThatHold(const Built& built,
-                                              const std::vector<char>& there,
-                                              const AssemblyUnit& unit) const {
-    std::vector<int> pins;
+  //! Pins that fix a unit to what was built before it, as far as they can come now.
+  void putPinsBetween(Built& then, const Built& built, const AssemblyUnit& unit) const {
     for (const int pin : unit.touches) {
-      if (there[at(pin)] == 0 && units_[at(pin)].fastener && allOf(units_[at(pin)].before, there) &&
-          anyOf(units_[at(pin)].touches, built.has)) {
-        pins.push_back(pin);
+      if (units_[at(pin)].fastener && anyOf(units_[at(pin)].touches, built.has)) {
+        tryPut(then, pin);
       }
     }
-    return pins;
   }
 
-  //! \return What could come next with this unit, or nothing if it must wait or would touch
-  //! nothing.
-  [[nodiscard]] std::optional<Next> reach(const Built& built, int u) const {
+  //! \return What is there with this unit and its pins; nothing if it must wait or touches nothing.
+  [[nodiscard]] std::optional<Built> with(const Built& built, int u) const {
     const AssemblyUnit& unit = units_[at(u)];
-    Next next{u, {}, {}};
-    std::vector<char> there = built.has;
-    const auto take = [&](int pin) {
-      next.pins.push_back(pin);
-      there[at(pin)] = 1;
-    };
-    for (const int needed : unit.before) {
-      if (there[at(needed)] != 0) {
-        continue;
-      }
-      if (!allOf(units_[at(needed)].before, there) ||
-          !(isPinOf(needed, unit) ||
-            (units_[at(needed)].fastener && anyOf(units_[at(needed)].touches, built.has)))) {
-        return std::nullopt;
-      }
-      take(needed);
-    }
-    const std::vector<int> holding = pinsThatHold(built, there, unit);
-    std::for_each(holding.begin(), holding.end(), take);
-    const bool touching = std::any_of(unit.touches.begin(), unit.touches.end(), [&](int other) {
-      return built.has[at(other)] != 0 ||
-             (there[at(other)] != 0 && anyOf(units_[at(other)].touches, built.has));
-    });
-    there[at(u)] = 1;
-    next.pinsAfter = pinsThatHold(built, there, unit);
-    return touching || !next.pinsAfter.empty() ? std::optional(next) : std::nullopt;
-  }
-
-  [[nodiscard]] std::optional<Next> choose(const Built& built) const {
-    using Key = std::tuple<double, double, int>;
-    std::vector<std::pair<Key, Next>> found;
-    const Vec3 last = units_[at(built.order.back())].middle;
-    for (std::size_t u = 0; u < units_.size(); ++u) {
-      if (built.has[u] != 0 || units_[u].fastener) {
-        continue;
-      }
-      if (std::optional<Next> next = reach(built, static_cast<int>(u)); next.has_value()) {
-        const double level = std::floor(2.0 * units_[u].floor + 0.5);
-        const double way = std::floor(64.0 * lattice::length(units_[u].middle - last) + 0.5);
-        found.emplace_back(Key{level, way, static_cast<int>(u)}, std::move(*next));
-      }
-    }
-    if (found.empty()) {
+    Built then = built;
+    putPinsBetween(then, built, unit);
+    if (!tryPutWithPins(then, u)) {
       return std::nullopt;
     }
-    std::sort(
-        found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t i = 0; wishes_.stands && i < std::min(found.size(), kLookAhead); ++i) {
-      Built then = built;
-      put(then, found[i].second);
-      if (wishes_.stands(then.parts)) {
-        return found[i].second;
-      }
-    }
-    return found.front().second;
+    putPinsBetween(then, built, unit);
+    const bool touching = std::any_of(unit.touches.begin(), unit.touches.end(), [&](int other) {
+      return built.has[at(other)] != 0 ||
+             (then.has[at(other)] != 0 && anyOf(units_[at(other)].touches, built.has));
+    });
+    return touching ? std::optional(std::move(then)) : std::nullopt;
   }
 
-  //! Anything that can come now, what touches something first; -1 if nothing can.
-  [[nodiscard]] int anyNext(const Built& built) const {
-    int loose = -1;
+  //! The lowest unit that can come next, the nearest of these; of the first few, one that stands.
+  [[nodiscard]] std::optional<Built> next(const Built& built) const {
+    using Key = std::tuple<double, double, int>;
+    std::vector<Key> keys;
+    const Vec3 last = units_[at(built.order.back())].middle;
     for (std::size_t u = 0; u < units_.size(); ++u) {
-      if (built.has[u] == 0 && allOf(units_[u].before, built.has)) {
-        if (anyOf(units_[u].touches, built.has)) {
-          return static_cast<int>(u);
-        }
-        loose = loose < 0 ? static_cast<int>(u) : loose;
+      if (built.has[u] == 0 && !units_[u].fastener) {
+        keys.emplace_back(std::floor(2.0 * units_[u].floor + 0.5),
+                          std::floor(64.0 * lattice::length(units_[u].middle - last) + 0.5),
+                          static_cast<int>(u));
       }
     }
-    return loose;
+    std::sort(keys.begin(), keys.end());
+    std::optional<Built> first;
+    std::size_t found = 0;
+    for (const Key& key : keys) {
+      std::optional<Built> then = with(built, std::get<2>(key));
+      if (!then.has_value()) {
+        continue;
+      }
+      if (!wishes_.stands || wishes_.stands(then->parts)) {
+        return then;
+      }
+      if (!first.has_value()) {
+        first = std::move(then);
+      }
+      if (++found == kLookAhead) {
+        break;
+      }
+    }
+    return first;
+  }
+
+  //! Anything that can come now, what touches something first.
+  [[nodiscard]] std::optional<Built> anyNext(const Built& built) const {
+    for (const bool touching : {true, false}) {
+      for (std::size_t u = 0; u < units_.size(); ++u) {
+        Built then = built;
+        if ((!touching || anyOf(units_[u].touches, built.has)) &&
+            tryPutWithPins(then, static_cast<int>(u))) {
+          return then;
+        }
+      }
+    }
+    return std::nullopt;
   }
 
   //! Pins that hold only what is there have nothing to wait for.
   void putFinishedPins(Built& built) const {
     for (std::size_t u = 0; u < units_.size(); ++u) {
-      const AssemblyUnit& unit = units_[u];
-      if (built.has[u] == 0 && unit.fastener && allOf(unit.before, built.has) &&
-          allOf(unit.touches, built.has)) {
-        put(built, static_cast<int>(u));
+      if (built.has[u] == 0 && units_[u].fastener && allOf(units_[u].touches, built.has)) {
+        tryPut(built, static_cast<int>(u));
       }
     }
   }
 
-  //! All units, or fewer if what must come before what does not allow to begin there.
+  //! All units, or fewer if that beginning leads to no end.
   [[nodiscard]] std::vector<int> orderFrom(int first) const {
-    Built built{{}, std::vector<char>(units_.size(), 0), {}};
-    for (const int pin : units_[at(first)].before) {
-      put(built, pin);
+    Built built = nothing();
+    if (!tryPutWithPins(built, first)) {
+      return {};
     }
-    put(built, first);
     putFinishedPins(built);
     while (built.order.size() < units_.size()) {
-      if (const std::optional<Next> next = choose(built); next.has_value()) {
-        put(built, *next);
-      } else if (const int any = anyNext(built); any >= 0) {
-        put(built, any);
-      } else {
+      std::optional<Built> then = next(built);
+      if (!then.has_value()) {
+        then = anyNext(built);
+      }
+      if (!then.has_value()) {
         break;
       }
+      built = std::move(*then);
       putFinishedPins(built);
     }
     return built.order;
@@ -317,7 +337,7 @@ class Ordering {
     return pieces;
   }
 
-  //! Ways out of the new order; nothing if one of them is closed.
+  //! Removals with the best ways out in the new order.
   [[nodiscard]] std::optional<std::vector<Removal>> removalsOf(
       const std::vector<int>& order) const {
     std::vector<int> all;
@@ -328,16 +348,14 @@ class Ordering {
     DisassemblyState state(graphs_.blocking, graphs_.neighbours, std::move(all));
     std::vector<Removal> removals;
     for (auto u = order.rbegin(); u != order.rend(); ++u) {
-      const AssemblyUnit& unit = units_[at(*u)];
-      Removal removal = unit.removal;
-      if (!unit.keepsPlace) {
-        if (!state.isFree(unit.direction, removal.parts)) {
+      Removal removal = units_[at(*u)].removal;
+      removal.legs.clear();
+      if (removals.size() + 1 < units_.size()) {
+        const std::optional<int> way = findWayOut(graphs_, state, removal.parts);
+        if (!way.has_value()) {
           return std::nullopt;
         }
-        removal.legs.clear();
-        if (removals.size() + 1 < units_.size()) {
-          removal.legs.push_back(clearingLeg(graphs_, state, removal.parts, unit.direction));
-        }
+        removal.legs.push_back(clearingLeg(graphs_, state, removal.parts, *way));
       }
       state.remove(removal.parts);
       removals.push_back(std::move(removal));
@@ -356,7 +374,10 @@ class Ordering {
 void buildUpwards(const DisassemblyGraphs& graphs,
                   const DisassemblyWishes& wishes,
                   DisassemblyGroup& group) {
-  if (group.removals.size() < 3 || group.removals.size() > kMaxUnits) {
+  const bool forced = std::any_of(group.removals.begin(),
+                                  group.removals.end(),
+                                  [](const Removal& removal) { return removal.forced; });
+  if (forced || group.removals.size() < 3 || group.removals.size() > kMaxUnits) {
     return;
   }
   if (std::optional<std::vector<Removal>> order = Ordering(graphs, wishes, group.removals).better();
