@@ -238,6 +238,11 @@ const SETTINGS: Sentences = [
   ],
   ['{n} is no beam length; use {known}', '{n} ist keine Balkenlänge; möglich sind {known}'],
   [
+    '{part} is no bent beam; use some of {known}',
+    '{part} ist kein gewinkelter Balken; möglich sind {known}',
+  ],
+  ['{part} is no frame; use some of {known}', '{part} ist kein Rahmen; möglich sind {known}'],
+  [
     'at least one beam length is needed, such as {example}',
     'nötig ist mindestens eine Balkenlänge, etwa {example}',
   ],
