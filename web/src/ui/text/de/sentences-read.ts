@@ -239,7 +239,7 @@ const SETTINGS: Sentences = [
   ['{n} is no beam length; use {known}', '{n} ist keine Balkenlänge; möglich sind {known}'],
   [
     '{part} is no bent beam; use some of {known}',
-    '{part} ist kein gewinkelter Balken; möglich sind {known}',
+    '{part} ist kein gebogener Balken; möglich sind {known}',
   ],
   ['{part} is no frame; use some of {known}', '{part} ist kein Rahmen; möglich sind {known}'],
   [
