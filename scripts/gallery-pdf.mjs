@@ -39,8 +39,6 @@ async function savePdf(page, model, row) {
   ]);
   const path = join(options.out, `${row.id}.pdf`);
   await saved.saveAs(path);
-  await goTo(page, '?');
-  await page.locator('.room').waitFor({ state: 'detached' });
   return path;
 }
 
@@ -80,11 +78,14 @@ async function main() {
     await context.addInitScript(() => {
       localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
     });
-    const [page, sheet] = [await context.newPage(), await browser.newPage()];
-    await page.goto(`http://127.0.0.1:${port}/`);
-    await page.locator('.scene canvas').waitFor();
+    const sheet = await browser.newPage();
     for (const row of rows) {
+      // A page for each: one that had saved some fifteen models came to a halt.
+      const page = await context.newPage();
+      await page.goto(`http://127.0.0.1:${port}/`);
+      await page.locator('.scene canvas').waitFor();
       const pdf = await savePdf(page, solve(row).json, row);
+      await page.close();
       console.log(`${row.id.padEnd(16)} ${await layOut(sheet, pdf, row)} pages`);
     }
   } finally {
