@@ -24,10 +24,8 @@ const { values: options } = parseArgs({
 
 /** Opens a model in the page and saves its instructions. @returns the PDF's file. */
 async function savePdf(page, model, row) {
-  const waiting = page.waitForEvent('filechooser');
-  await page.keyboard.press('Control+o');
   const file = { name: `${row.id}.model.json`, mimeType: 'application/json' };
-  await (await waiting).setFiles({ ...file, buffer: Buffer.from(model) });
+  await (await fileDialog(page)).setFiles({ ...file, buffer: Buffer.from(model) });
   const parts = JSON.parse(model).parts.length;
   await page.locator('dd', { hasText: new RegExp(`^${parts}$`) }).waitFor();
   await page.getByTestId('verdict').waitFor();
@@ -40,6 +38,19 @@ async function savePdf(page, model, row) {
   const path = join(options.out, `${row.id}.pdf`);
   await saved.saveAs(path);
   return path;
+}
+
+/** The browser opens its dialog only within five seconds of the key: a busy machine may need another. */
+async function fileDialog(page) {
+  for (let tries = 0; tries < 6; tries++) {
+    const waiting = page.waitForEvent('filechooser', { timeout: 10_000 }).catch(() => undefined);
+    await page.keyboard.press('Control+o');
+    const dialog = await waiting;
+    if (dialog) {
+      return dialog;
+    }
+  }
+  throw new StepError('the page opened no file dialog');
 }
 
 /** As the browser's own buttons do it: the page is not loaded again. */
@@ -65,6 +76,16 @@ async function layOut(sheet, pdf, row) {
   return pages.length;
 }
 
+/** One for each model, so that none finds what the page has kept of the last. */
+async function openContext(browser) {
+  const context = await browser.newContext({ locale: options.lang, reducedMotion: 'reduce' });
+  context.setDefaultTimeout(PATIENCE_MS);
+  await context.addInitScript(() => {
+    localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
+  });
+  return context;
+}
+
 async function main() {
   const { rows, solve } = await openGallery(options.only);
   mkdirSync(options.out, { recursive: true });
@@ -73,19 +94,14 @@ async function main() {
   await new Promise((ready) => server.stdout.once('data', ready));
   const browser = await launchBrowser();
   try {
-    const context = await browser.newContext({ locale: options.lang, reducedMotion: 'reduce' });
-    context.setDefaultTimeout(PATIENCE_MS);
-    await context.addInitScript(() => {
-      localStorage.setItem('liftarm/preferences', JSON.stringify({ autoSolve: false }));
-    });
     const sheet = await browser.newPage();
     for (const row of rows) {
-      // A page for each: one that had saved some fifteen models came to a halt.
+      const context = await openContext(browser);
       const page = await context.newPage();
       await page.goto(`http://127.0.0.1:${port}/`);
       await page.locator('.scene canvas').waitFor();
       const pdf = await savePdf(page, solve(row).json, row);
-      await page.close();
+      await context.close();
       console.log(`${row.id.padEnd(16)} ${await layOut(sheet, pdf, row)} pages`);
     }
   } finally {
