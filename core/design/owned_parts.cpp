@@ -22,12 +22,36 @@ Error invalid(const std::string& message) {
   return {Status::kInvalidInput, message};
 }
 
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+//! Those of which any are owned; limits on them go to `limits`.
+template <typename Item, typename PartOf>
+std::vector<Item> limited(const std::vector<Item>& items,
+                          const std::map<std::string, int>& owned,
+                          PartOf partOf,
+                          std::vector<std::pair<Item, int>>* limits) {
+  std::vector<Item> left;
+  for (const Item& item : items) {
+    const auto limit = owned.find(partOf(item));
+    if (limit != owned.end() && limit->second == 0) {
+      continue;
+    }
+    left.push_back(item);
+    if (limit != owned.end()) {
+      limits->emplace_back(item, limit->second);
+    }
+  }
+  return left;
+}
+
 //! Axles that cover lines, by the same list as other connecting parts.
 void limitAxles(Settings* settings) {
   auto& limits = settings->annealing.supply.connectors;
   std::vector<int> axles;
   for (const int axle : settings->annealing.axles) {
-    const std::string& id = layout::axleParts()[static_cast<std::size_t>(axle)].part;
+    const std::string& id = layout::axleParts()[at(axle)].part;
     const auto limit = settings->owned.find(id);
     if (limit != settings->owned.end() && limit->second == 0) {
       continue;
@@ -76,42 +100,25 @@ base::Result<bool> limitSearch(Settings* settings) {
     return invalid("set.owned: no straight beam is left; own at least one kind");
   }
   annealing.lengths = lengths;
-  std::vector<int> bends;
-  for (const int form : annealing.bends) {
-    const auto limit = owned.find(layout::bentBeams()[static_cast<std::size_t>(form)].part);
-    if (limit == owned.end() || limit->second > 0) {
-      bends.push_back(form);
-      if (limit != owned.end()) {
-        annealing.supply.bent.emplace_back(form, limit->second);
-      }
-    }
+  annealing.bends = limited(
+      annealing.bends,
+      owned,
+      [](int form) { return layout::bentBeams()[at(form)].part; },
+      &annealing.supply.bent);
+  annealing.frames = limited(
+      annealing.frames,
+      owned,
+      [](int form) { return layout::frameBeams()[at(form)].part; },
+      &annealing.supply.frames);
+  const auto pins = owned.find(kInlinePin);
+  if (pins != owned.end() && pins->second == 0) {
+    return invalid("set.owned.2780: at least 1 is needed, since joints in line are pinned with it");
   }
-  annealing.bends = bends;
-  std::vector<int> frames;
-  for (const int form : annealing.frames) {
-    const auto limit = owned.find(layout::frameBeams()[static_cast<std::size_t>(form)].part);
-    if (limit == owned.end() || limit->second > 0) {
-      frames.push_back(form);
-      if (limit != owned.end()) {
-        annealing.supply.frames.emplace_back(form, limit->second);
-      }
-    }
-  }
-  annealing.frames = frames;
-  std::vector<std::string> connectors;
-  for (const std::string& id : settings->connectors) {
-    const auto limit = owned.find(id);
-    if (limit == owned.end() || limit->second > 0) {
-      connectors.push_back(id);
-      if (limit != owned.end()) {
-        annealing.supply.connectors.emplace_back(id, limit->second);
-      }
-    } else if (id == kInlinePin) {
-      return invalid(
-          "set.owned.2780: at least 1 is needed, since joints in line are pinned with it");
-    }
-  }
-  settings->connectors = connectors;
+  settings->connectors = limited(
+      settings->connectors,
+      owned,
+      [](const std::string& id) { return id; },
+      &annealing.supply.connectors);
   limitAxles(settings);
   return true;
 }

@@ -9,6 +9,7 @@
 #include "analysis/joint_motion.h"
 #include "analysis/scene.h"
 #include "core/helpers/sketches.h"
+#include "core/helpers/solved.h"
 #include "design/design_session.h"
 #include "layout/axle.h"
 #include "model/model_json.h"
@@ -19,6 +20,8 @@ namespace {
 
 using lattice::Vec3;
 using nlohmann::json;
+using testing::solve;
+using testing::Solved;
 
 //! Two long lines, with a post on either, joined by two lines of this length.
 sketch::Sketch railsSketch(double apart) {
@@ -72,23 +75,6 @@ sketch::Sketch wheelSketch() {
                                                {{0, 3, 10}, {0, 3, 6}}});
   sketch.joints.push_back({{0, 3, 6}, {0, 1, 0}, {{5}, {6, 9}}});
   return sketch;
-}
-
-struct Solved {
-  json report;
-  model::Model model;
-  std::string text;
-};
-
-Solved solve(const sketch::Sketch& sketch, const json& set = json::object(), int seed = 1) {
-  auto created =
-      DesignSession::create(sketch::writeSketch(sketch), json{{"seed", seed}, {"set", set}}.dump());
-  EXPECT_TRUE(created.ok()) << (created.ok() ? "" : created.error().message);
-  const std::unique_ptr<DesignSession> session = std::move(created).value();
-  while (!session->advance(1000)) {
-  }
-  const std::string text = session->modelJson();
-  return {json::parse(session->reportJson()), model::readModel(text).value(), text};
 }
 
 //! LDraw numbers of the axles in a model.

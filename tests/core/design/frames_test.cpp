@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/helpers/frame_sketches.h"
+#include "core/helpers/solved.h"
 #include "design/design_session.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
@@ -12,27 +13,11 @@ namespace liftarm::design {
 namespace {
 
 using nlohmann::json;
+using testing::solve;
+using testing::Solved;
 
-struct Solved {
-  json report;
-  model::Model model;
-
-  [[nodiscard]] int count(const std::string& part) const {
-    return static_cast<int>(std::count_if(
-        model.parts.begin(), model.parts.end(), [&](const auto& p) { return p.part == part; }));
-  }
-
-  [[nodiscard]] int frames() const { return count("14720") + count("64178") + count("64179"); }
-};
-
-Solved solve(const sketch::Sketch& sketch, const json& set = json::object(), int seed = 1) {
-  auto created =
-      DesignSession::create(sketch::writeSketch(sketch), json{{"seed", seed}, {"set", set}}.dump());
-  EXPECT_TRUE(created.ok()) << created.error().message;
-  const std::unique_ptr<DesignSession> session = std::move(created).value();
-  while (!session->advance(1000)) {
-  }
-  return {json::parse(session->reportJson()), model::readModel(session->modelJson()).value()};
+int framesIn(const Solved& solved) {
+  return solved.count("14720") + solved.count("64178") + solved.count("64179");
 }
 
 TEST(Frames, CoverWhatTheyAreMadeForAndAreBuildable) {
@@ -62,7 +47,7 @@ TEST(Frames, AreNotUsedWhenSwitchedOffOrNotOwned) {
   for (const json& set :
        {json{{"search.frames", 0}}, json{{"frames", "14720,64178"}}, json{{"owned.64179", 0}}}) {
     const Solved solved = solve(rectangle, set);
-    EXPECT_EQ(solved.frames(), 0) << set;
+    EXPECT_EQ(framesIn(solved), 0) << set;
     EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
   }
 }
@@ -95,7 +80,7 @@ TEST(Frames, AreNeverLaidAcrossAJoint) {
     linkage.joints.push_back({corner, {0, 0, 1}, {}});
   }
   const Solved solved = solve(linkage);
-  EXPECT_EQ(solved.frames(), 0);
+  EXPECT_EQ(framesIn(solved), 0);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
@@ -127,7 +112,7 @@ TEST(Frames, AreJoinedToBeamsInLine) {
   const Solved with = solve(rails);
   const Solved without = solve(rails, {{"search.frames", 0}});
   EXPECT_TRUE(with.report["buildable"].get<bool>()) << with.report["problems"];
-  EXPECT_GE(with.frames(), 2);
+  EXPECT_GE(framesIn(with), 2);
   EXPECT_LE(with.report["beams"].get<int>() + 3, without.report["beams"].get<int>());
 }
 

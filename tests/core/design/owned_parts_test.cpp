@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/helpers/sketches.h"
+#include "core/helpers/solved.h"
 #include "design/design_session.h"
 #include "layout/bent_beam.h"
 #include "model/model_json.h"
@@ -15,49 +16,32 @@ namespace liftarm::design {
 namespace {
 
 using nlohmann::json;
-
-struct Solved {
-  json report;
-  model::Model model;
-};
-
-Solved solve(const sketch::Sketch& sketch, const json& set) {
-  auto created = DesignSession::create(sketch::writeSketch(sketch), json{{"set", set}}.dump());
-  EXPECT_TRUE(created.ok()) << created.error().message;
-  const std::unique_ptr<DesignSession> session = std::move(created).value();
-  while (!session->advance(1000)) {
-  }
-  return {json::parse(session->reportJson()), model::readModel(session->modelJson()).value()};
-}
-
-int countOf(const model::Model& model, const std::string& part) {
-  return static_cast<int>(std::count_if(
-      model.parts.begin(), model.parts.end(), [&](const auto& p) { return p.part == part; }));
-}
+using testing::solve;
+using testing::Solved;
 
 TEST(OwnedParts, OfWhichThereAreNoneAreNotUsed) {
   // A square of nine nodes a side takes four beams of nine, 40490.
   const Solved solved = solve(testing::squareSketch(8), {{"owned.40490", 0}});
-  EXPECT_EQ(countOf(solved.model, "40490"), 0);
+  EXPECT_EQ(solved.count("40490"), 0);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
 TEST(OwnedParts, AreNotExceededWhereOthersServe) {
   const Solved solved = solve(testing::squareSketch(8), {{"owned.40490", 2}});
-  EXPECT_LE(countOf(solved.model, "40490"), 2);
+  EXPECT_LE(solved.count("40490"), 2);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
   EXPECT_TRUE(solved.report["missing"].empty());
 }
 
 TEST(OwnedParts, SpacersAreNotExceeded) {
   const sketch::Sketch grid = testing::gridSketch(4);
-  const int spacers = countOf(solve(grid, json::object()).model, "18654");
+  const int spacers = solve(grid, json::object()).count("18654");
   ASSERT_GT(spacers, 1);
   const Solved none = solve(grid, {{"owned.18654", 0}});
-  EXPECT_EQ(countOf(none.model, "18654"), 0);
+  EXPECT_EQ(none.count("18654"), 0);
   EXPECT_TRUE(none.report["buildable"].get<bool>()) << none.report["problems"];
   const Solved few = solve(grid, {{"owned.18654", 1}});
-  EXPECT_LE(countOf(few.model, "18654"), 1);
+  EXPECT_LE(few.count("18654"), 1);
   EXPECT_TRUE(few.report["buildable"].get<bool>()) << few.report["problems"];
 }
 
@@ -68,29 +52,29 @@ TEST(OwnedParts, OfBentBeamsAreNotExceeded) {
                                                         {{4, 2, 0}, {0, 2, 0}},
                                                         {{0, 2, 0}, {0, 0, 0}}});
   const Solved whole = solve(rectangle, json::object());
-  const auto bentIn = [](const model::Model& model) {
+  const auto bentIn = [](const Solved& solved) {
     int count = 0;
     for (const layout::BentBeam& bent : layout::bentBeams()) {
-      count += countOf(model, bent.part);
+      count += solved.count(bent.part);
     }
     return count;
   };
-  ASSERT_GT(bentIn(whole.model), 1);
+  ASSERT_GT(bentIn(whole), 1);
   json owned = json::object();
   for (const layout::BentBeam& bent : layout::bentBeams()) {
     owned["owned." + bent.part] = bent.part == "32526" ? 1 : 0;
   }
   const Solved solved = solve(rectangle, owned);
-  EXPECT_EQ(bentIn(solved.model), countOf(solved.model, "32526"));
-  EXPECT_LE(countOf(solved.model, "32526"), 1);
+  EXPECT_EQ(bentIn(solved), solved.count("32526"));
+  EXPECT_LE(solved.count("32526"), 1);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
 TEST(OwnedParts, OfConnectorsAreNotExceededWhereOthersServe) {
   const Solved whole = solve(testing::cubeSketch(8), json::object());
-  ASSERT_GT(countOf(whole.model, "55615"), 0);
+  ASSERT_GT(whole.count("55615"), 0);
   const Solved solved = solve(testing::cubeSketch(8), {{"owned.55615", 1}});
-  EXPECT_LE(countOf(solved.model, "55615"), 1);
+  EXPECT_LE(solved.count("55615"), 1);
   EXPECT_TRUE(solved.report["buildable"].get<bool>()) << solved.report["problems"];
 }
 
@@ -110,7 +94,7 @@ TEST(OwnedParts, ThatDoNotSufficeAreNamedWithTheirNumber) {
   const json& missing = solved.report["missing"][0];
   EXPECT_EQ(missing["part"], "2780");
   EXPECT_EQ(missing["owned"], 1);
-  EXPECT_EQ(missing["needed"], countOf(solved.model, "2780"));
+  EXPECT_EQ(missing["needed"], solved.count("2780"));
   const json problems = solved.report["problems"];
   EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [](const json& problem) {
     const std::string message = problem["message"];

@@ -4,15 +4,48 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "design/design_session.h"
 #include "model/model_json.h"
+#include "sketch/sketch_json.h"
 
 // Header only: tests from design on use it, and only those link the search.
 
 namespace liftarm::testing {
+
+//! \brief What a search ended with.
+struct Solved {
+  nlohmann::json report;
+  model::Model model;
+  std::string text;  //!< the model's file
+
+  [[nodiscard]] int count(const std::string& part) const {
+    return static_cast<int>(std::count_if(
+        model.parts.begin(), model.parts.end(), [&](const auto& p) { return p.part == part; }));
+  }
+};
+
+//! \param set As in design::readSettings.
+inline Solved solve(const sketch::Sketch& sketch,
+                    const nlohmann::json& set = nlohmann::json::object(),
+                    int seed = 1) {
+  const nlohmann::json settings{{"seed", seed}, {"set", set}};
+  auto session = design::DesignSession::create(sketch::writeSketch(sketch), settings.dump());
+  if (!session.ok()) {
+    ADD_FAILURE() << session.error().message;
+    return {};
+  }
+  while (!session.value()->advance(1000)) {
+  }
+  std::string text = session.value()->modelJson();
+  return {nlohmann::json::parse(session.value()->reportJson()),
+          model::readModel(text).value(),
+          std::move(text)};
+}
 
 //! \brief The model text that the search makes of one of our own examples.
 inline std::string solvedExampleText(const std::string& name) {
