@@ -97,7 +97,7 @@ class Writer {
     Step step{number_[g], {}, false};
     const auto finish = [&] {
       if (!step.adds.empty()) {
-        step.stable = stands(built);
+        step.stable = stands(built) || (number_[g] != 0 && lies(built));
         sequence_.steps.push_back(std::move(step));
         step = {number_[g], {}, false};
       }
@@ -124,6 +124,10 @@ class Writer {
 
   [[nodiscard]] bool stands(const std::vector<int>& parts) const {
     return standAnyway(scene_, connectedSets(parts));
+  }
+
+  [[nodiscard]] bool lies(const std::vector<int>& parts) const {
+    return connectedSets(parts).size() == 1 && canBeLaidDown(scene_, parts);
   }
 
   //! Whether parts would hang in the air if the step ended here: what joins them comes next.

@@ -15,6 +15,7 @@ using lattice::Vec3;
 using parts::Prism;
 
 constexpr double kMargin = 0.1;  // modules inside the edge, so that a rounded end does not stand
+constexpr double kLean = 1.0;    // modules that parts may tilt by when they lie on another side
 
 struct Point {
   double x = 0.0;
@@ -138,11 +139,25 @@ bool standTogether(const Scene& scene,
 }
 
 bool standAnyway(const Scene& scene, const std::vector<std::vector<int>>& sets) {
-  constexpr double kLean = 1.0;
   constexpr std::array<Vec3, 5> kSides{{{0, 0, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}};
   return standTogether(scene, sets, {0, 0, 1}) ||
          std::any_of(kSides.begin(), kSides.end(), [&](Vec3 up) {
            return standTogether(scene, sets, up, kLean);
+         });
+}
+
+bool canBeLaidDown(const Scene& scene, const std::vector<int>& parts) {
+  const auto onSideOf = [&](const analysis::Shape& shape) {
+    const Vec3 length = shape.prism.to - shape.prism.from;
+    if (lattice::length(length) < 1.0) {
+      return false;  // as good as round
+    }
+    const Vec3 across = lattice::normalized(lattice::cross(shape.prism.axis, length));
+    return standsOn(scene, parts, across, kLean) || standsOn(scene, parts, -across, kLean);
+  };
+  return standAnyway(scene, {parts}) || std::any_of(parts.begin(), parts.end(), [&](int part) {
+           const auto& shapes = scene.parts[static_cast<std::size_t>(part)].shapes;
+           return std::any_of(shapes.begin(), shapes.end(), onSideOf);
          });
 }
 

@@ -31,6 +31,10 @@ bool standTogether(const analysis::Scene& scene,
 //! module at most.
 bool standAnyway(const analysis::Scene& scene, const std::vector<std::vector<int>>& sets);
 
+//! \brief Whether connected parts that are built apart lie on some side: one of the model's six, or
+//! a side of one of their own beams, which may be at a slant.
+bool canBeLaidDown(const analysis::Scene& scene, const std::vector<int>& parts);
+
 //! \brief Tells quickly of many sets of connected parts whether they stand as they are.
 class Footing {
  public:

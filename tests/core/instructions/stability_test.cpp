@@ -46,6 +46,15 @@ TEST(Stability, PartsInTheAirDoNotStandTogether) {
   EXPECT_TRUE(standTogether(scene, {{0}}, kZ));
 }
 
+TEST(Stability, ASlantedBeamWithALongPinLiesOnItsOwnSide) {
+  constexpr Vec3 kSlant{0.6, 0, 0.8};
+  model::Model model;
+  model.parts = {beamAt("40490", {0, 0, 0}, kSlant, kY), testing::pinAt("6558", 4.0 * kSlant, kY)};
+  const analysis::Scene scene = sceneOf(model);
+  EXPECT_FALSE(standAnyway(scene, {{0, 1}}));
+  EXPECT_TRUE(canBeLaidDown(scene, {0, 1}));
+}
+
 TEST(Stability, AFrameStandsOnOneOfItsSides) {
   const model::Model square = testing::squareFrame();
   EXPECT_TRUE(standAnyway(sceneOf(square), {{0, 1, 2, 3, 4, 5, 6, 7}}));
