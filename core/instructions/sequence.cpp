@@ -143,6 +143,9 @@ class Writer {
       return true;
     }
     const Add& last = step.adds.back();
+    if (built == 1 && add.subgroup >= 0 && last.subgroup < 0 && !add.forced) {
+      return true;  // a picture of the first part alone would say nothing
+    }
     if (add.subgroup >= 0 || add.forced || last.subgroup >= 0 || last.forced ||
         step.adds.size() >= kMaxPartsInStep || waysOf(step, add) > kMaxWaysInStep) {
       return false;

@@ -144,6 +144,22 @@ TEST_P(Gallery, HasNoStepAfterWhichPartsHangInTheAir) {
   EXPECT_THAT(hangingSteps(model.value()), ::testing::IsEmpty());
 }
 
+//! A picture of one part alone says nothing, and the next one shows it again.
+TEST_P(Gallery, ShowsNoFirstPartAloneBeforeTheSubassemblyThatGoesOnIt) {
+  const auto model = model::readModel(solve(GetParam(), 1).model);
+  ASSERT_TRUE(model.ok());
+  const analysis::Scene scene = analysis::makeScene(model.value(), parts::Catalogue::builtIn());
+  std::map<int, std::vector<instructions::Step>> stepsOf;
+  for (const instructions::Step& step : instructions::planSequence(scene).steps) {
+    stepsOf[step.group].push_back(step);
+  }
+  for (const auto& [group, steps] : stepsOf) {
+    const std::vector<instructions::Add>& first = steps.front().adds;
+    const bool alone = first.size() == 1 && first.front().subgroup < 0 && steps.size() > 1;
+    EXPECT_FALSE(alone && steps[1].adds.front().subgroup >= 0) << "group " << group;
+  }
+}
+
 //! Two models of the gallery with their gears, as the page has put them in.
 TEST(GearedGallery, HasNoStepAfterWhichPartsHangInTheAir) {
   for (const char* name : {"gear-box", "winch"}) {
