@@ -1,10 +1,12 @@
 #include "layout/axle.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
+
+#include "layout/part_list.h"
 
 namespace liftarm::layout {
 
@@ -18,14 +20,6 @@ constexpr std::size_t kFewestSlots = 3;  // shorter lines are bridged by connect
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-int countBits(std::uint64_t bits) {
-  int count = 0;
-  for (; bits != 0; bits &= bits - 1) {
-    ++count;
-  }
-  return count;
 }
 
 bool hasBit(std::uint64_t bits, int index) {
@@ -88,7 +82,7 @@ std::optional<Axle> holding(const AxleSite& site, int first, int last, int part,
 int forbiddenSlots(const AxleSite& site, int start, int length) {
   const std::uint64_t slots = ((std::uint64_t{1} << static_cast<unsigned>(length)) - 1)
                               << axleBit(start);
-  return countBits(site.forbidden & slots);
+  return std::popcount(site.forbidden & slots);
 }
 
 }  // namespace
@@ -98,11 +92,11 @@ int Axle::length() const {
 }
 
 int Axle::bushCount() const {
-  return countBits(bushes);
+  return std::popcount(bushes);
 }
 
 int Axle::headCount() const {
-  return countBits(seats);
+  return std::popcount(seats);
 }
 
 double Axle::cost() const {
@@ -185,16 +179,11 @@ const std::vector<AxlePart>& axleParts() {
 }
 
 int axlePartIndex(const std::string& part) {
-  const std::vector<AxlePart>& all = axleParts();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const AxlePart& axle) { return axle.part == part; });
-  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+  return indexOfPart(axleParts(), part);
 }
 
 std::vector<int> allAxleParts() {
-  std::vector<int> all(axleParts().size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  return indicesOf(axleParts());
 }
 
 }  // namespace liftarm::layout

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
+
+#include "layout/part_list.h"
 
 namespace liftarm::layout {
 
@@ -92,6 +93,11 @@ lattice::Pose poseOf(const BentBeam& bent, Vec3 corner, Vec3 first, Vec3 second)
   return {corner - rotation * bent.corner, rotation};
 }
 
+bool hasArms(const Cover& cover) {
+  return std::any_of(
+      cover.beams.begin(), cover.beams.end(), [](const Beam& beam) { return beam.isArm(); });
+}
+
 std::vector<Beam> armsOf(const Cover& cover) {
   std::vector<Beam> arms;
   for (const Beam& beam : cover.beams) {
@@ -158,16 +164,11 @@ const std::vector<BentBeam>& bentBeams() {
 }
 
 std::vector<int> allBentBeams() {
-  std::vector<int> all(bentBeams().size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  return indicesOf(bentBeams());
 }
 
 int bentBeamIndex(const std::string& part) {
-  const std::vector<BentBeam>& all = bentBeams();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BentBeam& bent) { return bent.part == part; });
-  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+  return indexOfPart(bentBeams(), part);
 }
 
 }  // namespace liftarm::layout

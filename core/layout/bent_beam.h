@@ -48,6 +48,9 @@ lattice::Pose poseOf(const BentBeam& bent,
 //! \brief The arms of bent beams and the bars of frames in a cover.
 std::vector<Beam> armsOf(const Cover& cover);
 
+//! \brief Whether there are any.
+bool hasArms(const Cover& cover);
+
 //! \brief One way in which a bent beam lies on two runs.
 struct Bend {
   Beam arm;             //!< on the one run

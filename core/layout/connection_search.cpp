@@ -1,6 +1,7 @@
 #include "layout/connection_search.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace liftarm::layout {
 
@@ -28,14 +29,6 @@ constexpr std::uint8_t kTerminal = 8;
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
-}
-
-int countBits(std::uint32_t bits) {
-  int count = 0;
-  for (; bits != 0; bits &= bits - 1) {
-    ++count;
-  }
-  return count;
 }
 
 bool nearCentre(Cell c, int radius) {
@@ -119,7 +112,7 @@ Connection ConnectionSearch::within(int radius) {
     clusters |= 1U << static_cast<unsigned>(problem_->cluster[at(t)]);
   }
   best_ = {};
-  best_.failed = countBits(clusters) - 1;
+  best_.failed = std::popcount(clusters) - 1;
   nodes_ = 0;
   if (best_.failed > 0 && !candidates_.empty()) {
     open_.resize(std::max(open_.size(), at(best_.failed) + 1));
@@ -267,7 +260,7 @@ void ConnectionSearch::collect(int radius) {
 //! The cheapest for each join first, each once, and not too many.
 void ConnectionSearch::sortCandidates() {
   for (Candidate& candidate : candidates_) {
-    candidate.value = candidate.cost / static_cast<double>(countBits(candidate.terminals) - 1);
+    candidate.value = candidate.cost / static_cast<double>(std::popcount(candidate.terminals) - 1);
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
     if (a.value != b.value) {
@@ -334,7 +327,7 @@ void ConnectionSearch::descend(std::size_t depth, std::uint32_t grown, int left,
     if ((candidate.terminals & grown) == 0U || fresh == 0U) {
       continue;
     }
-    const int rest = left - countBits(fresh);
+    const int rest = left - std::popcount(fresh);
     // Each join that is left costs no less than those of the cheapest candidate.
     const double least = cost + candidate.cost + rest * leastValue_ - kSame;
     if (best_.failed == 0 && least >= best_.cost) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
+
+#include "layout/part_list.h"
 
 namespace liftarm::layout {
 
@@ -129,16 +130,11 @@ const std::vector<FrameBeam>& frameBeams() {
 }
 
 int frameBeamIndex(const std::string& part) {
-  const std::vector<FrameBeam>& all = frameBeams();
-  const auto found = std::find_if(
-      all.begin(), all.end(), [&](const FrameBeam& frame) { return frame.part == part; });
-  return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+  return indexOfPart(frameBeams(), part);
 }
 
 std::vector<int> allFrameBeams() {
-  std::vector<int> all(frameBeams().size());
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  return indicesOf(frameBeams());
 }
 
 }  // namespace liftarm::layout

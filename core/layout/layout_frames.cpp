@@ -15,10 +15,6 @@ std::size_t at(int id) {
   return static_cast<std::size_t>(id);
 }
 
-Cell scaled(int s, Cell c) {
-  return {s * c.x, s * c.y, s * c.z};
-}
-
 }  // namespace
 
 //! Whether a frame lies at a junction: then it alone may join all beams there.
@@ -53,8 +49,7 @@ void Layout::fillFrame(const RunView& view,
   }
   local_.frames |= terminal < 0 ? 0U : 1U << static_cast<unsigned>(terminal);
   const bool foreign = run.piece != localPiece_;
-  Cell layer;
-  layer[lattice::index(axis)] = bar.layer;
+  const Cell layer = scaled(bar.layer, unitCell(axis));
   for (int i = bar.start; i <= bar.last(); ++i) {
     const Cell cell = view.base + scaled(i, view.step) + layer;
     const bool brought = std::any_of(site.arms.begin(), site.arms.end(), [&](const SiteArm& arm) {

@@ -15,16 +15,6 @@ std::size_t at(int id) {
   return static_cast<std::size_t>(id);
 }
 
-Cell unitCell(Axis axis) {
-  Cell cell;
-  cell[lattice::index(axis)] = 1;
-  return cell;
-}
-
-Cell scaled(int s, Cell c) {
-  return {s * c.x, s * c.y, s * c.z};
-}
-
 //! Where a beam of a cover is pinned to the one before it, and to the one after it.
 struct PinnedNodes {
   InlinePins before;

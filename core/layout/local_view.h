@@ -19,6 +19,17 @@ inline constexpr int kLayerCount = 2 * guide::kMaxLayer + 1;
 //! Holes farther than this from a junction join nothing there: three modules, squared.
 inline constexpr int kReachSquared = 9;
 
+//! \brief The cell one step along an axis.
+inline lattice::Cell unitCell(lattice::Axis axis) {
+  lattice::Cell cell;
+  cell[lattice::index(axis)] = 1;
+  return cell;
+}
+
+inline lattice::Cell scaled(int s, lattice::Cell c) {
+  return {s * c.x, s * c.y, s * c.z};
+}
+
 constexpr bool inBox(lattice::Cell c) {
   return c.x >= -kBoxRadius && c.x <= kBoxRadius && c.y >= -kBoxRadius && c.y <= kBoxRadius &&
          c.z >= -kBoxRadius && c.z <= kBoxRadius;

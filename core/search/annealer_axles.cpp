@@ -149,7 +149,7 @@ bool Annealer::beginTrial(const AxleFamily& family) {
       if (layout_.run(met).cover.axis == axis) {
         continue;
       }
-      if (!layout::armsOf(layout_.run(met).cover).empty()) {
+      if (layout::hasArms(layout_.run(met).cover)) {
         return false;
       }
       turned.push_back(met);

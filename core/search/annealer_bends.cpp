@@ -68,8 +68,8 @@ std::optional<lattice::Axis> Annealer::bendAxis(int run, int mate) const {
   for (const lattice::Axis axis : graph.runs[at(run)].axes) {
     const std::vector<lattice::Axis>& others = graph.runs[at(mate)].axes;
     const bool common = std::find(others.begin(), others.end(), axis) != others.end();
-    if (options_.parts.turns && common && (axis == mine.axis || layout::armsOf(mine).empty()) &&
-        (axis == theirs.axis || layout::armsOf(theirs).empty())) {
+    if (options_.parts.turns && common && (axis == mine.axis || !layout::hasArms(mine)) &&
+        (axis == theirs.axis || !layout::hasArms(theirs))) {
       return axis;
     }
   }

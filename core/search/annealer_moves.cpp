@@ -160,7 +160,7 @@ bool Annealer::recover(int run, double noise, double turning) {
 //! one in a random order. What one run alone cannot do, since its neighbours stand in the way,
 //! several can.
 bool Annealer::recoverMany(int run, double noise) {
-  if (!layout::armsOf(layout_.run(run).cover).empty()) {
+  if (layout::hasArms(layout_.run(run).cover)) {
     return straighten(run, noise);
   }
   const auto firstOf = [&](int r) {
@@ -178,7 +178,7 @@ bool Annealer::recoverMany(int run, double noise) {
       other = guideRun.near[rng_.below(static_cast<std::uint32_t>(guideRun.near.size()))];
     }
     other = other >= 0 ? firstOf(other) : other;
-    if (other >= 0 && layout::armsOf(layout_.run(other).cover).empty() &&
+    if (other >= 0 && !layout::hasArms(layout_.run(other).cover) &&
         std::find(cleared.begin(), cleared.end(), other) == cleared.end()) {
       cleared.push_back(other);
     }
@@ -209,7 +209,7 @@ bool Annealer::recoverCrossing(int run, double noise) {
       continue;
     }
     for (const guide::Incidence& incidence : problem_->graph.junctions[at(junction)].incident) {
-      if (incidence.run != run && layout::armsOf(layout_.run(incidence.run).cover).empty()) {
+      if (incidence.run != run && !layout::hasArms(layout_.run(incidence.run).cover)) {
         any = coverRun(incidence.run, layout_.run(incidence.run).cover.axis, noise, {}) || any;
       }
     }
@@ -221,7 +221,7 @@ bool Annealer::recoverCrossing(int run, double noise) {
 //! grid, is a wall across many lines, which no line can move alone.
 bool Annealer::mirror(int run, double noise) {
   layout::Cover cover = layout_.run(run).cover;
-  if (problem_->graph.runs[at(run)].exact || !layout::armsOf(cover).empty() || cover.axle.used()) {
+  if (problem_->graph.runs[at(run)].exact || layout::hasArms(cover) || cover.axle.used()) {
     return false;
   }
   const guide::SelfBinding binding =

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "layout/axle_collisions.h"
+#include "layout/bent_beam.h"
 
 namespace liftarm::search {
 
@@ -24,12 +25,6 @@ std::size_t at(int i) {
 
 bool mayTurnTo(const guide::GuideRun& run, Axis axis) {
   return std::find(run.axes.begin(), run.axes.end(), axis) != run.axes.end();
-}
-
-bool hasArms(const layout::Cover& cover) {
-  return std::any_of(cover.beams.begin(), cover.beams.end(), [](const layout::Beam& beam) {
-    return beam.isArm();
-  });
 }
 
 //! Runs of a joint that are to stay as one with this one; nothing where it belongs to no side.
@@ -97,13 +92,13 @@ class FamilyFinder {
 
   //! Arms of bent beams stay as they lie.
   [[nodiscard]] bool isOpen(int run) const {
-    if (hasArms(layout_.run(run).cover) || layout_.run(run).cover.axle.used()) {
+    if (layout::hasArms(layout_.run(run).cover) || layout_.run(run).cover.axle.used()) {
       return false;
     }
     const std::vector<int> met = runsMet(graph_, run);
     return std::all_of(met.begin(), met.end(), [&](int other) {
       const layout::Cover& cover = layout_.run(other).cover;
-      return cover.axis == axisOf(run) || !hasArms(cover);
+      return cover.axis == axisOf(run) || !layout::hasArms(cover);
     });
   }
 

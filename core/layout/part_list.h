@@ -1,0 +1,26 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace liftarm::layout {
+
+//! \brief Index of the entry whose `part` is this LDraw number, or -1.
+template <typename Entry>
+int indexOfPart(const std::vector<Entry>& list, const std::string& part) {
+  const auto found = std::find_if(
+      list.begin(), list.end(), [&](const Entry& entry) { return entry.part == part; });
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+//! \brief All indices of a list, ascending.
+template <typename Entry>
+std::vector<int> indicesOf(const std::vector<Entry>& list) {
+  std::vector<int> all(list.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+}  // namespace liftarm::layout
