@@ -3,28 +3,12 @@
 #include <string>
 
 #include "analysis/check.h"
-#include "analysis/coverage.h"
 #include "analysis/freedoms_query.h"
 #include "analysis/scene.h"
 #include "design/model_builder.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::design {
-
-std::function<int(const search::LayoutSnapshot&)> makeLooseness(
-    const layout::LayoutProblem& problem,
-    const mechanisms::MechanismTable& table,
-    const sketch::Sketch& sketch) {
-  // Only joints make the sketch matter to the count.
-  const std::string text = sketch.joints.empty() ? std::string{} : sketch::writeSketch(sketch);
-  return [&problem, &table, text](const search::LayoutSnapshot& snapshot) {
-    const model::Model model = buildModel(problem, table, snapshot, "", text);
-    const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
-    const analysis::FreedomsQuery query = analysis::makeFreedomsQuery(
-        scene, analysis::findCoverage(scene), analysis::Friction::kFree);
-    return analysis::countFreedomsBeyondJoints(query);
-  };
-}
 
 std::function<bool(const search::LayoutSnapshot&)> makeBuildable(
     const layout::LayoutProblem& problem,

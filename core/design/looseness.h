@@ -8,15 +8,6 @@
 
 namespace liftarm::design {
 
-//! \brief How loose a layout is: the internal freedoms of its
-//! model beyond the annotated joints, all pins turning (FINDINGS 5, "global DOF inside the
-//! annealing"). \details Counted by the model wing on the real parts, which the search itself does
-//! not know. \pre problem, table and sketch outlive the function.
-std::function<int(const search::LayoutSnapshot&)> makeLooseness(
-    const layout::LayoutProblem& problem,
-    const mechanisms::MechanismTable& table,
-    const sketch::Sketch& sketch);
-
 //! \brief Whether a layout's model is buildable: all of DESIGN 5, by the model wing. \pre problem,
 //! table and sketch outlive the function.
 std::function<bool(const search::LayoutSnapshot&)> makeBuildable(

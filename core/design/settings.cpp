@@ -30,7 +30,8 @@ struct NumberKey {
   void (*apply)(Settings*, double);
 };
 
-constexpr std::array<NumberKey, 7> kNumberKeys{{
+constexpr std::array<NumberKey, 12> kNumberKeys{{
+    {"corners", 0.0, 1.0, true, [](Settings* s, double v) { s->corners = v != 0.0; }},
     {"effort",
      0.01,
      100.0,
@@ -66,6 +67,18 @@ constexpr std::array<NumberKey, 7> kNumberKeys{{
      3.0,
      true,
      [](Settings* s, double v) { s->mechanismParts = static_cast<int>(v); }},
+    {"connections.dangling",
+     0.0,
+     100.0,
+     false,
+     [](Settings* s, double v) { s->connection.dangling = v; }},
+    {"connections.secondHead",
+     0.0,
+     100.0,
+     false,
+     [](Settings* s, double v) { s->connection.secondHead = v; }},
+    {"standing", 0.0, 1.0, true, [](Settings* s, double v) { s->standing = v != 0.0; }},
+    {"symmetric", 0.0, 1.0, true, [](Settings* s, double v) { s->symmetric = v != 0.0; }},
     {"paper.coolingRate",
      0.5,
      0.999999,
@@ -79,7 +92,7 @@ struct SwitchKey {
   bool search::SearchParts::*part;
 };
 
-constexpr std::array<SwitchKey, 13> kSwitchKeys{{
+constexpr std::array<SwitchKey, 14> kSwitchKeys{{
     {"search.corners", &search::SearchParts::corners},
     {"search.frames", &search::SearchParts::frames},
     {"search.axles", &search::SearchParts::axles},
@@ -91,6 +104,7 @@ constexpr std::array<SwitchKey, 13> kSwitchKeys{{
     {"search.growth", &search::SearchParts::growth},
     {"search.walls", &search::SearchParts::walls},
     {"search.mirrors", &search::SearchParts::mirrors},
+    {"search.shifts", &search::SearchParts::shifts},
     {"search.orbits", &search::SearchParts::orbits},
     {"search.costly", &search::SearchParts::costly},
 }};
@@ -181,6 +195,21 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
   return invalid("set." + key + ": no such key; known are " + knownKeys());
 }
 
+//! What a preset changes beside the weights of the objective.
+void applyPreset(Settings* settings) {
+  settings->annealing.weights = settings->method == kPaperMethod
+                                    ? objective::paperWeights(settings->preset)
+                                    : objective::searchWeights(settings->preset);
+  if (settings->preset != objective::Preset::kBalanced || settings->method == kPaperMethod) {
+    return;
+  }
+  settings->connectors.emplace_back("15100");
+  settings->connection = {2.0, 0.6};
+  settings->corners = true;
+  settings->standing = true;
+  settings->symmetric = true;
+}
+
 base::Result<bool> applyTop(Settings* settings, const json& root) {
   for (const auto& [key, value] : root.items()) {
     if (key == "seed") {
@@ -194,7 +223,7 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
       const auto preset = objective::presetFromName(textOf(value));
       if (!preset) {
         return invalid("preset: " + textOf(value) +
-                       " is none of faithful, simple, faithful-rigid, simple-rigid");
+                       " is none of faithful, simple, faithful-rigid, simple-rigid, balanced");
       }
       settings->preset = *preset;
     } else if (key == "method") {
@@ -213,9 +242,7 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
                      "; known are seed, preset, method, set, earlier");
     }
   }
-  settings->annealing.weights = settings->method == kPaperMethod
-                                    ? objective::paperWeights(settings->preset)
-                                    : objective::searchWeights(settings->preset);
+  applyPreset(settings);
   return true;
 }
 
@@ -224,6 +251,7 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
 base::Result<Settings> readSettings(std::string_view text) {
   Settings settings;
   if (text.empty()) {
+    applyPreset(&settings);
     return settings;
   }
   const json root = json::parse(text, nullptr, false);

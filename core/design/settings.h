@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/status.h"
+#include "layout/connection_solver.h"
 #include "objective/objective.h"
 #include "search/annealer.h"
 #include "search/paper_search.h"
@@ -18,7 +19,7 @@ inline constexpr std::string_view kPaperMethod = "paper";
 
 //! \brief What a person may set. The defaults serve every sketch (DESIGN 7).
 struct Settings {
-  objective::Preset preset = objective::Preset::kSimple;
+  objective::Preset preset = objective::Preset::kBalanced;
   std::string method = "default";
   search::AnnealingOptions annealing;
   search::PaperOptions paper;  //!< of method "paper"; what both have is taken from `annealing`
@@ -26,6 +27,10 @@ struct Settings {
   // found a layout for 1 of 5 seeds instead of 5).
   std::vector<std::string> connectors{
       "2780", "6558", "87082", "48989", "55615", "15462", "3713", "18654"};
+  layout::ConnectionCosts connection;
+  bool standing = false;   //!< nothing lies below the lowest drawn plane, where that can be
+  bool corners = false;    //!< connectors may stand for the ends of beams at any corner
+  bool symmetric = false;  //!< mirrors of the whole drawing are kept without being asked for
   int mechanismParts = 2;  //!< most connecting parts in one mechanism
   //! How many of a part are owned, by LDraw number; others are not limited. What the search can do
   //! about it is in annealing.supply, lengths and connectors already.

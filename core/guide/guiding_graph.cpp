@@ -213,7 +213,15 @@ bool haveCommonAxis(const GuidingGraph& graph, const Junction& junction) {
   return false;
 }
 
-void addJunctions(GuidingGraph* graph) {
+bool allEnd(const GuidingGraph& graph, const Junction& junction) {
+  return std::all_of(
+      junction.incident.begin(), junction.incident.end(), [&](const Incidence& incidence) {
+        const GuideRun& run = graph.runs[static_cast<std::size_t>(incidence.run)];
+        return incidence.index == 0 || incidence.index == run.edgeCount();
+      });
+}
+
+void addJunctions(GuidingGraph* graph, Bridging bridging) {
   std::vector<std::vector<Incidence>> incidences(graph->nodes.size());
   graph->degrees.assign(graph->nodes.size(), 0);
   for (std::size_t r = 0; r < graph->runs.size(); ++r) {
@@ -236,7 +244,8 @@ void addJunctions(GuidingGraph* graph) {
         junction.joint = static_cast<int>(j);
       }
     }
-    junction.bridgeable = junction.joint < 0 && !haveCommonAxis(*graph, junction);
+    const bool anyway = bridging == Bridging::kAtEnds && allEnd(*graph, junction);
+    junction.bridgeable = junction.joint < 0 && (anyway || !haveCommonAxis(*graph, junction));
     const int id = static_cast<int>(graph->junctions.size());
     for (const Incidence& incidence : junction.incident) {
       graph->runs[static_cast<std::size_t>(incidence.run)].junctions.push_back(id);
@@ -342,7 +351,7 @@ void addNeighbours(GuidingGraph* graph) {
 
 }  // namespace
 
-GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch) {
+GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch, Bridging bridging) {
   const sketch::Arrangement arrangement = sketch::arrange(sketch);
   GuidingGraph graph;
   graph.lines = static_cast<int>(sketch.lines.size());
@@ -356,7 +365,7 @@ GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch) {
   addRuns(arrangement, segments, &graph);
   addJoints(arrangement, segments, &graph);
   addSymmetries(sketch, arrangement, segments, &graph);
-  addJunctions(&graph);
+  addJunctions(&graph, bridging);
   addNeighbours(&graph);
   return graph;
 }

@@ -36,7 +36,7 @@ struct Junction {
   int node = -1;
   std::vector<Incidence> incident;
   int joint = -1;             //!< index of the joint here, or -1
-  bool bridgeable = false;    //!< no hole axis serves all its runs, and no joint turns here
+  bool bridgeable = false;    //!< mechanisms may stand for beams' ends here: see Bridging
   std::vector<int> nearRuns;  //!< runs whose beams could stand near, the incident ones included
   std::vector<int> nearJunctions;  //!< junctions whose mechanisms could touch this one's
 };
@@ -83,9 +83,16 @@ inline bool mayBridge(const GuideRun& run, const Junction& junction) {
 //! \brief Farthest layer from its line that a beam may have.
 inline constexpr int kMaxLayer = 2;
 
+//! \brief Where mechanisms may bridge edges though one hole axis would serve all runs.
+enum class Bridging {
+  kWhereNeeded,  //!< nowhere
+  kAtEnds,       //!< where all runs end: a corner of two beams on their lines, held by a connector
+};
+
 //! \brief Builds the guiding graph of a sketch.
 //! \details A run is split where its edges have different fixed hole axes or exactness, and at
 //! joints whose groups lie on both sides, so that no beam can pass there (paper 5.1).
-GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch);
+GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch,
+                               Bridging bridging = Bridging::kWhereNeeded);
 
 }  // namespace liftarm::guide

@@ -202,6 +202,12 @@ bool Orbits::lost(const GuidingGraph& graph, int run, Axis axis) const {
   if (!self.allowed || (self.pinned && graph.runs[at(run)].edgeCount() > kLongestBeam)) {
     return true;
   }
+  // A cover that reads the same from both ends has a beam across the middle: none but the shortest
+  // and those of two thin halves have an even number of holes. A builder lets one end stick out.
+  const int nodes = graph.runs[at(run)].edgeCount() + 1;
+  if (self.centred && nodes > 2 && nodes % 2 == 0) {
+    return true;
+  }
   // An image that is met on the same layer would stand in the way.
   return std::any_of(images(run).begin(), images(run).end(), [&](const RunImage& image) {
     return image.run != run && image.axes[a] == static_cast<int>(a) && image.signs[a] > 0 &&

@@ -12,8 +12,6 @@ using mechanisms::MechanismCell;
 using mechanisms::OrientedMechanism;
 using mechanisms::TableEntry;
 
-constexpr double kDanglingCost = 0.3;    // a head that holds nothing, in parts
-constexpr double kExtraHoleBonus = 0.2;  // a second head in one beam makes the corner stiffer
 constexpr double kSame = 1e-9;
 constexpr std::size_t kMaxCandidates = 160;
 constexpr int kMaxNodes = 400;
@@ -55,7 +53,8 @@ std::uint8_t codeOf(const LocalHole& hole) {
 
 }  // namespace
 
-ConnectionSearch::ConnectionSearch(const mechanisms::MechanismTable& table) : table_(&table) {
+ConnectionSearch::ConnectionSearch(const mechanisms::MechanismTable& table, ConnectionCosts costs)
+    : table_(&table), costs_(costs) {
   shapes_.reserve(table.size());
   for (std::size_t id = 0; id < table.size(); ++id) {
     const OrientedMechanism& m = table.oriented(static_cast<std::int32_t>(id));
@@ -207,7 +206,7 @@ void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
       if (cells[i].mustHold) {
         return;
       }
-      candidate.cost += kDanglingCost;
+      candidate.cost += costs_.dangling;
       continue;
     }
     if (code == kBlocked || (code & 3U) != cells[i].axis) {
@@ -218,7 +217,7 @@ void ConnectionSearch::tryPlace(std::int32_t id, int head, Cell hole) {
       continue;
     }
     const std::uint32_t bit = 1U << static_cast<unsigned>((code - kTerminal) >> 2);
-    candidate.cost -= (candidate.terminals & bit) != 0U ? kExtraHoleBonus : 0.0;
+    candidate.cost -= (candidate.terminals & bit) != 0U ? costs_.secondHead : 0.0;
     candidate.terminals |= bit;
   }
   if ((problem_->frames & candidate.terminals) != 0U && !comesOut(shape, place)) {

@@ -13,7 +13,7 @@ namespace liftarm::layout {
 class ConnectionSearch {
  public:
   //! \pre table outlives the search.
-  explicit ConnectionSearch(const mechanisms::MechanismTable& table);
+  ConnectionSearch(const mechanisms::MechanismTable& table, ConnectionCosts costs);
 
   //! \brief The cheapest connection of a junction's beams; of the holes near it first, and of all
   //! within reach when those do not suffice.
@@ -64,6 +64,7 @@ class ConnectionSearch {
   void descend(std::size_t depth, std::uint32_t grown, int left, double cost);
 
   const mechanisms::MechanismTable* table_;
+  ConnectionCosts costs_;
   std::vector<PackedCell> cells_;
   std::vector<PackedShape> shapes_;
 

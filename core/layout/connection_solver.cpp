@@ -10,8 +10,8 @@ constexpr std::size_t kKnownLimit = 400000;
 
 }  // namespace
 
-ConnectionSolver::ConnectionSolver(const mechanisms::MechanismTable& table)
-    : table_(&table), search_(std::make_unique<ConnectionSearch>(table)) {}
+ConnectionSolver::ConnectionSolver(const mechanisms::MechanismTable& table, ConnectionCosts costs)
+    : table_(&table), search_(std::make_unique<ConnectionSearch>(table, costs)) {}
 
 ConnectionSolver::~ConnectionSolver() = default;
 

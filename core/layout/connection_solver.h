@@ -18,6 +18,12 @@ struct PlacedMechanism {
   lattice::Cell at;
 };
 
+//! \brief What a junction's mechanisms cost besides their parts, in parts.
+struct ConnectionCosts {
+  double dangling = 0.3;    //!< a head that holds nothing
+  double secondHead = 0.2;  //!< less for each further head in a beam: such a corner is stiffer
+};
+
 //! \brief How the beams of one junction are joined.
 struct Connection {
   std::vector<PlacedMechanism> mechanisms;
@@ -89,7 +95,7 @@ class ConnectionSearch;
 class ConnectionSolver {
  public:
   //! \pre table outlives the solver.
-  explicit ConnectionSolver(const mechanisms::MechanismTable& table);
+  explicit ConnectionSolver(const mechanisms::MechanismTable& table, ConnectionCosts costs = {});
   ~ConnectionSolver();
   ConnectionSolver(const ConnectionSolver&) = delete;
   ConnectionSolver& operator=(const ConnectionSolver&) = delete;

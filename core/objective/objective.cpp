@@ -6,8 +6,8 @@ namespace liftarm::objective {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kPresetNames{
-    "faithful", "simple", "faithful-rigid", "simple-rigid"};
+constexpr std::array<std::string_view, 5> kPresetNames{
+    "faithful", "simple", "faithful-rigid", "simple-rigid", "balanced"};
 
 void set(Weights* weights, std::string_view name, double weight) {
   (*weights)[*termIndex(name)] = weight;
@@ -20,7 +20,8 @@ bool isFaithful(Preset p) {
 }  // namespace
 
 bool isRigid(Preset preset) {
-  return preset == Preset::kFaithfulRigid || preset == Preset::kSimpleRigid;
+  return preset == Preset::kFaithfulRigid || preset == Preset::kSimpleRigid ||
+         preset == Preset::kBalanced;
 }
 
 Scale scaleOf(const guide::GuidingGraph& graph) {
@@ -56,7 +57,28 @@ std::string_view nameOf(Preset preset) {
   return kPresetNames[static_cast<std::size_t>(preset)];
 }
 
+namespace {
+
+//! A beam costs as much as before, so that few are laid; a layer off the line a good deal more than
+//! for `simple`, so that what can lie on its line does.
+Weights balancedWeights() {
+  Weights weights{};
+  set(&weights, "beams", 10.0);
+  set(&weights, "holes", 0.05);
+  set(&weights, "layers", 0.3);
+  set(&weights, "overhang", 4.0);
+  set(&weights, "hinges", 5.0);
+  set(&weights, "connections", 1.0);
+  set(&weights, "violations", 25.0);
+  return weights;
+}
+
+}  // namespace
+
 Weights searchWeights(Preset preset) {
+  if (preset == Preset::kBalanced) {
+    return balancedWeights();
+  }
   Weights weights{};
   set(&weights, "beams", isFaithful(preset) ? 4.0 : 10.0);
   set(&weights, "holes", 0.05);

@@ -14,7 +14,9 @@ using Weights = std::array<double, kTerms.size()>;
 std::optional<std::size_t> termIndex(std::string_view name);
 
 //! \brief What a person asks for (paper 4.3; DESIGN 7).
-enum class Preset { kFaithful, kSimple, kFaithfulRigid, kSimpleRigid };
+//! `balanced` is ours: it wants all of DESIGN 5b at once, and is what a person gets who asks for
+//! nothing.
+enum class Preset { kFaithful, kSimple, kFaithfulRigid, kSimpleRigid, kBalanced };
 
 std::optional<Preset> presetFromName(std::string_view name);
 std::string_view nameOf(Preset preset);

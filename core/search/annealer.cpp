@@ -195,7 +195,7 @@ void Annealer::finishRound() {
   if (whole && !again_ && !stiffening_ && withdrawFrames()) {
     return;
   }
-  if (whole && options_.freedoms) {
+  if (whole && options_.freedoms && !grown_) {
     goOnStiffening();
     return;
   }

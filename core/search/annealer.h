@@ -33,6 +33,7 @@ struct SearchParts {
   bool growth = true;   //!< violations that stay gain weight
   bool walls = true;    //!< a first layout whose lines change layers together (guide/layer_field)
   bool mirrors = true;  //!< moves that mirror a run's layers
+  bool shifts = true;   //!< moves that shift or turn over all layers of a plane
   bool costly = true;   //!< moves at runs with more beams than they need
   bool axles = true;    //!< axles that cover lines
   bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
@@ -60,6 +61,8 @@ struct AnnealingOptions {
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
+  //! Runs that can move so in the layout that `freedoms` was asked of last: moves begin there.
+  std::function<std::vector<int>()> looseRuns;
   //! Whether a layout is buildable in earnest; empty: each is that has no violations. Dear as well:
   //! the rounds that ask for freedoms keep no layout as their best before asking this, and a search
   //! that ends with frames asks it once: their holes on two axes can lock parts together.
@@ -124,6 +127,8 @@ class Annealer final : public LayoutSearch {
   bool recover(int run, double noise, double turning = kPickAxis);
   bool recoverMany(int run, double noise);
   bool mirror(int run, double noise);
+  bool shift(int run);
+  [[nodiscard]] std::vector<int> planeOf(int run) const;
   bool recoverCrossing(int run, double noise);
   [[nodiscard]] int pickCostlyRun();
   bool coverRun(int run, lattice::Axis axis, double noise, const std::vector<layout::Beam>& fixed);
@@ -159,6 +164,7 @@ class Annealer final : public LayoutSearch {
   [[nodiscard]] bool isSound(LayoutSnapshot* trial);
   void finishTrial();
   bool passes(double limit);
+  void findLooseRuns();
 
   const layout::LayoutProblem* problem_;
   AnnealingOptions options_;
@@ -194,9 +200,10 @@ class Annealer final : public LayoutSearch {
   std::uint32_t stiffRounds_ = 0;  // of this start ...
   std::uint32_t plainRounds_ = 0;  // ... before which it had so many of the other kind
   std::uint32_t allStiffRounds_ = 0;
-  double stiffWork_ = 0.0;    // of all starts, in moves times runs squared
-  int freedoms_ = 0;          // of the current layout, while stiffening
-  double freedomCost_ = 0.0;  // of each
+  double stiffWork_ = 0.0;      // of all starts, in moves times runs squared
+  int freedoms_ = 0;            // of the current layout, while stiffening
+  std::vector<int> looseRuns_;  // of it
+  double freedomCost_ = 0.0;    // of each
   // Axles that cover lines.
   std::vector<int> axleRuns_;               // that may have one
   std::vector<std::uint8_t> mustHaveAxle_;  // by run

@@ -23,7 +23,7 @@ std::size_t at(int i) {
 //! to go on from: then the layout is as it was.
 bool Annealer::layEarlier() {
   // Orbits and stiffening move runs all over the sketch: what is asked of those is asked afresh.
-  if (options_.earlier.empty() || orbits_.active() || options_.freedoms) {
+  if (options_.earlier.empty() || orbits_.active()) {
     return false;
   }
   const KeptRuns kept =

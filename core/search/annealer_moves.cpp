@@ -8,6 +8,7 @@ namespace liftarm::search {
 namespace {
 
 constexpr double kPickViolation = 0.75;  // share of moves at a violated place while there is one
+constexpr double kPickLoose = 0.7;       // while stiffening: of moves at a run that can move
 constexpr double kPickNear = 0.15;       // of these: at a run that passes near, not one that is met
 constexpr double kTurnMany = 0.3;        // the same where several runs are cleared
 constexpr double kPickTwo = 0.35;        // share of moves that cover two runs anew
@@ -16,6 +17,7 @@ constexpr std::uint32_t kMostMany = 4;
 constexpr double kPickCostly =
     0.5;  // share of moves at a run with more beams than it needs, if any
 constexpr double kPickMirror = 0.05;  // share of moves that mirror a run's layers
+constexpr double kPickShift = 0.06;   // share of moves that shift a whole plane
 constexpr double kPickBendStiff = 0.25;
 constexpr double kPickBend = 0.12;    // share of moves that lay a bent beam
 constexpr double kPickFrame = 0.1;    // share of moves that lay a frame, where one may save beams
@@ -36,6 +38,10 @@ std::size_t at(int i) {
 int Annealer::pickRun() {
   const auto runs = static_cast<std::uint32_t>(problem_->graph.runs.size());
   site_ = -1;
+  if (stiffening_ && !looseRuns_.empty() && layout_.tallies().violations() == 0 &&
+      rng_.unit() < kPickLoose) {
+    return looseRuns_[rng_.below(static_cast<std::uint32_t>(looseRuns_.size()))];
+  }
   if (!focus_.empty() && (layout_.tallies().violations() == 0 || rng_.unit() >= kPickViolation)) {
     return focus_[rng_.below(static_cast<std::uint32_t>(focus_.size()))];
   }
@@ -257,9 +263,13 @@ void Annealer::move() {
   const bool framed = !many && !calm && !corner && !frameSites_.empty() && rng_.unit() < kPickFrame;
   const bool mirrored =
       !many && !corner && !framed && parts.mirrors && !calm && rng_.unit() < kPickMirror;
+  const bool shifted =
+      !many && !corner && !framed && !mirrored && parts.shifts && !calm && rng_.unit() < kPickShift;
   bool changed = false;
   if (many) {
     changed = recoverMany(run, noise);
+  } else if (shifted) {
+    changed = shift(run);
   } else if (mirrored) {
     changed = mirror(run, kMirrorNoise * noise);
   } else if (corner) {
@@ -287,6 +297,7 @@ void Annealer::move() {
   const double after = energy();
   lastChange_ = after < energy_ - 1e-9 ? iteration_ : lastChange_;
   energy_ = after;
+  findLooseRuns();
   keepBest();
 }
 

@@ -15,7 +15,7 @@ constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 8, 12, 20};
 // few.
 constexpr double kMostWork = 1.5e7;
 constexpr std::uint32_t kLeastRounds = 3;
-constexpr std::uint32_t kMostRounds = 40;  // small sketches would go on for thousands
+constexpr std::uint32_t kMostRounds = 9;  // small sketches would go on for thousands
 // What has more freedoms left than these after so many rounds is not made to be stiff.
 constexpr std::uint32_t kHopefulRounds = 9;
 constexpr int kFewFreedoms = 6;
@@ -40,7 +40,7 @@ void Annealer::goOnStiffening() {
   }
   if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < kStiffRounds) {
     beginStiffening();
-    if (best_.freedoms == 0) {
+    if (best_.freedoms == 0 && allStiffRounds_ > 1) {
       finish();
     }
   } else if (again_ && !stiffening_ && ++plainRounds_ < kPlainRounds) {
@@ -71,6 +71,7 @@ void Annealer::beginStiffening() {
   missing_ = best.missing;
   freedoms_ = best.freedoms;
   energy_ = energy();
+  looseRuns_.clear();
   beginRound();
 }
 
@@ -120,6 +121,13 @@ bool Annealer::passes(double limit) {
     freedoms_ = within ? freedoms_ : before;
   }
   return within;
+}
+
+//! Where the current layout moves. \pre Its freedoms were asked last.
+void Annealer::findLooseRuns() {
+  if (stiffening_ && options_.looseRuns && layout_.tallies().violations() == 0) {
+    looseRuns_ = options_.looseRuns();
+  }
 }
 
 bool Annealer::isBuildable(const LayoutSnapshot& layout) const {

@@ -1,0 +1,167 @@
+#include "design/attempt.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "design/looseness.h"
+#include "layout/stack.h"
+#include "objective/mobility.h"
+#include "search/annealer.h"
+#include "search/paper_search.h"
+#include "sketch/symmetry_finder.h"
+
+namespace liftarm::design {
+
+namespace {
+
+constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
+constexpr double kHalfBeam = 0.5;            // modules from a beam's middle line to its side
+constexpr double kAlong = 1e-6;
+
+mechanisms::MechanismTable makeTable(const Settings& settings) {
+  mechanisms::CompositionOptions options;
+  std::copy_if(settings.connectors.begin(),
+               settings.connectors.end(),
+               std::back_inserter(options.partIds),
+               [](const std::string& id) { return id != layout::kSpacerPart; });
+  options.maxParts = settings.mechanismParts;
+  return mechanisms::MechanismTable(
+      mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
+}
+
+guide::Bridging bridgingOf(const Settings& settings) {
+  return settings.corners ? guide::Bridging::kAtEnds : guide::Bridging::kWhereNeeded;
+}
+
+//! Across X or Y: what a builder sees as left and right, front and back. Diagonal mirrors swap hole
+//! axes and contradict those.
+bool isSideways(lattice::Vec3 normal) {
+  return std::abs(normal.x) > 1.0 - kAlong || std::abs(normal.y) > 1.0 - kAlong;
+}
+
+//! The paper's method knows no spacers.
+bool fillsGaps(const Settings& settings) {
+  return settings.method != kPaperMethod &&
+         std::find(settings.connectors.begin(), settings.connectors.end(), layout::kSpacerPart) !=
+             settings.connectors.end();
+}
+
+bool isWhole(const search::LayoutSnapshot& layout) {
+  return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
+}
+
+}  // namespace
+
+//! One search with all that it looks at.
+struct Attempts::Attempt {
+  Attempt(const sketch::Sketch& wanted,
+          const Settings& settings,
+          const mechanisms::MechanismTable& table)
+      : solver(table, settings.connection),
+        problem(layout::makeLayoutProblem(guide::buildGuidingGraph(wanted, bridgingOf(settings)),
+                                          fillsGaps(settings))),
+        mobility(problem, table) {}
+
+  layout::ConnectionSolver solver;
+  layout::LayoutProblem problem;
+  objective::Mobility mobility;
+  std::unique_ptr<search::LayoutSearch> search;
+};
+
+sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
+  sketch::Sketch wanted = sketch;
+  if (wishes.standing && !wanted.ground && !wanted.lines.empty()) {
+    double lowest = wanted.lines.front().from.z;
+    for (const sketch::Line& line : wanted.lines) {
+      lowest = std::min({lowest, line.from.z, line.to.z});
+    }
+    wanted.ground = lowest - kHalfBeam;
+  }
+  if (wishes.symmetric && wanted.symmetries.empty()) {
+    for (const sketch::Symmetry& found : sketch::findSymmetries(sketch).symmetries) {
+      if (found.kind == sketch::Symmetry::Kind::kReflection && found.lines.empty() &&
+          isSideways(found.normal)) {
+        wanted.symmetries.push_back(found);
+      }
+    }
+  }
+  return wanted;
+}
+
+Attempts::Attempts(const sketch::Sketch& sketch, const Settings& settings)
+    : sketch_(&sketch), settings_(&settings), table_(makeTable(settings)) {
+  const Wishes all{settings.standing, settings.symmetric && settings.annealing.earlier.empty()};
+  plans_.push_back({});
+  if (all.standing && all.symmetric) {
+    plans_.push_back({true, false});
+  }
+  if (all.standing || all.symmetric) {
+    plans_.push_back(all);
+  }
+  const Wishes first = plans_.back();
+  plans_.pop_back();
+  begin(first, plans_.empty());
+}
+
+Attempts::~Attempts() = default;
+
+void Attempts::begin(Wishes wishes, bool last) {
+  current_ = std::make_unique<Attempt>(withWishes(*sketch_, wishes), *settings_, table_);
+  Attempt& attempt = *current_;
+  if (settings_->method == kPaperMethod) {
+    search::PaperOptions options = settings_->paper;
+    options.seed = settings_->annealing.seed;
+    options.corners = settings_->annealing.parts.corners;
+    options.lengths = settings_->annealing.lengths;
+    options.weights = settings_->annealing.weights;
+    attempt.search =
+        std::make_unique<search::PaperSearch>(attempt.problem, attempt.solver, std::move(options));
+    return;
+  }
+  search::AnnealingOptions options = settings_->annealing;
+  options.held = makeHeld(attempt.problem, table_);
+  if (objective::isRigid(settings_->preset)) {
+    objective::Mobility* mobility = &attempt.mobility;
+    options.freedoms = [mobility](const search::LayoutSnapshot& layout) {
+      return mobility->count(layout.covers, layout.junctions);
+    };
+    options.looseRuns = [mobility] { return mobility->looseRuns(); };
+  }
+  options.buildable = makeBuildable(attempt.problem, table_, *sketch_);
+  options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
+  attempt.search =
+      std::make_unique<search::Annealer>(attempt.problem, attempt.solver, std::move(options));
+}
+
+bool Attempts::advance(std::uint32_t iterations) {
+  if (!current_->search->advance(iterations)) {
+    return false;
+  }
+  if (plans_.empty() || isWhole(current_->search->best())) {
+    return true;
+  }
+  iterationsBefore_ += current_->search->iterations();
+  const Wishes next = plans_.back();
+  plans_.pop_back();
+  begin(next, plans_.empty());
+  return false;
+}
+
+bool Attempts::done() const {
+  return current_->search->done() && (plans_.empty() || isWhole(current_->search->best()));
+}
+
+std::uint64_t Attempts::iterations() const {
+  return iterationsBefore_ + current_->search->iterations();
+}
+
+const search::LayoutSearch& Attempts::search() const {
+  return *current_->search;
+}
+
+const layout::LayoutProblem& Attempts::problem() const {
+  return current_->problem;
+}
+
+}  // namespace liftarm::design

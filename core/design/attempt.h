@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "design/settings.h"
+#include "layout/layout.h"
+#include "mechanisms/mechanism_table.h"
+#include "search/layout_search.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::design {
+
+//! \brief What a search wishes for that the sketch does not ask: tried first, given up where no
+//! whole layout was found with it.
+struct Wishes {
+  bool standing = false;   //!< nothing below the lowest drawn plane (DESIGN 5b.2)
+  bool symmetric = false;  //!< mirrors of the whole drawing across X and Y are kept (5b.5)
+};
+
+//! \brief The sketch with what is wished for written into it: its ground half a module below its
+//! lowest end point, and the mirrors that it has. What it says itself stays.
+sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
+
+//! \brief The searches for one sketch, one after the other: with every wish of the settings, then
+//! with fewer, until a layout is whole.
+class Attempts {
+ public:
+  //! \pre sketch and settings outlive this.
+  Attempts(const sketch::Sketch& sketch, const Settings& settings);
+  ~Attempts();
+  Attempts(const Attempts&) = delete;
+  Attempts& operator=(const Attempts&) = delete;
+
+  //! \brief At most `iterations` steps. \return True when the last search has ended.
+  bool advance(std::uint32_t iterations);
+
+  [[nodiscard]] bool done() const;
+
+  //! \brief Of all searches.
+  [[nodiscard]] std::uint64_t iterations() const;
+
+  //! \brief The search that is going on, or that found the best layout.
+  [[nodiscard]] const search::LayoutSearch& search() const;
+
+  [[nodiscard]] const layout::LayoutProblem& problem() const;
+
+  [[nodiscard]] const mechanisms::MechanismTable& table() const { return table_; }
+
+ private:
+  struct Attempt;
+
+  void begin(Wishes wishes, bool last);
+
+  const sketch::Sketch* sketch_;
+  const Settings* settings_;
+  mechanisms::MechanismTable table_;
+  std::vector<Wishes> plans_;  // those still to come, the next one last
+  std::unique_ptr<Attempt> current_;
+  std::uint64_t iterationsBefore_ = 0;
+};
+
+}  // namespace liftarm::design
