@@ -109,6 +109,8 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     effort: 'Aufwand',
     efforts: { quick: 'Kurz', usual: 'Üblich', thorough: 'Gründlich' },
     seed: 'Startwert',
+    ofSketch: 'Diese Skizze wird mit den Einstellungen ihres Links gesucht, nicht mit Ihren.',
+    useMine: 'Meine Einstellungen nehmen',
     seedHelp: 'Gleiche Skizze, Einstellungen und Startwert ergeben immer das gleiche Modell.',
     advanced: 'Weitere Einstellungen',
     advancedHelp: 'Ein Schlüssel=Wert je Zeile, etwa effort=2 oder lengths=3,5,9,15.',

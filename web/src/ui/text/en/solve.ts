@@ -105,6 +105,8 @@ export const SOLVE_EN = {
     effort: 'Effort',
     efforts: { quick: 'Quick', usual: 'Usual', thorough: 'Thorough' },
     seed: 'Seed',
+    ofSketch: 'This sketch is searched with the settings of its link, not with yours.',
+    useMine: 'Use my settings',
     seedHelp: 'The same sketch, settings and seed always give the same model.',
     advanced: 'Advanced options',
     advancedHelp: 'One key=value a line, such as effort=2 or lengths=3,5,9,15.',
