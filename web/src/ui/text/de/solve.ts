@@ -17,6 +17,8 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     },
     iterations: 'Schritte',
     cancelled: 'Abgebrochen. Das letzte Modell bleibt.',
+    cancelledUnchecked:
+      'Abgebrochen, bevor das Modell geprüft war: Ob es sich bauen lässt, ist nicht bekannt.',
     cancelledNone: 'Abgebrochen, bevor es ein Modell gab.',
     stale: 'Die Skizze hat sich geändert, seit dieses Modell entstand.',
     failed:

@@ -16,6 +16,8 @@ export const SOLVE_EN = {
     } as Readonly<Record<string, string>>,
     iterations: 'steps',
     cancelled: 'Cancelled. The last model stays.',
+    cancelledUnchecked:
+      'Cancelled before the model was checked: whether it can be built is not known.',
     cancelledNone: 'Cancelled before there was a model.',
     stale: 'The sketch has changed since this model was made.',
     failed: 'The solver stopped unexpectedly. The sketch is safe; try again.',
