@@ -3,6 +3,7 @@ import type { MadeModel } from '../../../web/src/app/made-model.ts';
 import { SolveRun } from '../../../web/src/app/solve-run.ts';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
 import type { SolveProgress } from '../../../web/src/solver/protocol.ts';
+import { text } from '../../../web/src/ui/text.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 
 const SKETCH: SketchDocument = {
@@ -181,6 +182,38 @@ describe('solve run', () => {
     run.clear();
     void run.regrow(SKETCH, { seed: 3 });
     expect(asked()).toEqual({ seed: 3 });
+  });
+
+  it('is cancelled while what it found is checked, and says that it was not', async () => {
+    const { client, run } = begin();
+    client.holdChecks = true;
+    const done = run.start(SKETCH, {});
+    client.solves[0]?.settle(solvedAs(MODEL));
+    await Promise.resolve();
+    expect(run.state.value.phase).toBe('solving');
+    run.cancel();
+    await done;
+    expect(run.state.value).toMatchObject({
+      phase: 'cancelled',
+      message: text.solve.cancelledUnchecked,
+    });
+    expect(run.shown.value).toMatchObject({ json: MODEL, report: null, check: null });
+  });
+
+  it('gives up the check of the one before', async () => {
+    const { client, run } = begin();
+    client.holdChecks = true;
+    const first = run.start(SKETCH, {});
+    client.solves[0]?.settle(solvedAs(MODEL));
+    await Promise.resolve();
+    const second = run.start(SKETCH, { seed: 2 });
+    await first;
+    expect(run.state.value.phase).toBe('solving');
+    expect(run.shown.value).toBeNull();
+    client.holdChecks = false;
+    client.solves[1]?.settle(solvedAs(MODEL));
+    await second;
+    expect(run.state.value.phase).toBe('solved');
   });
 
   it('keeps the last model when it is cancelled', async () => {

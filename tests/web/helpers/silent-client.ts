@@ -18,13 +18,19 @@ export interface PendingSolve {
 export interface TestClient extends SolverClient {
   readonly solves: PendingSolve[];
   checkReply: TextResult;
+  /** Checks wait for `checkReply` to be set and this to be called. */
+  holdChecks: boolean;
+  releaseChecks(): void;
 }
 
 /** A solver that answers only what the test tells it to. */
 export function silentClient(): TestClient {
   const solves: PendingSolve[] = [];
+  let release: () => void = () => undefined;
   const client: TestClient = {
     solves,
+    holdChecks: false,
+    releaseChecks: () => release(),
     checkReply: { outcome: 'ok', text: '{"buildable":true,"items":[],"problems":[]}' },
     solve: (sketchJson, settings, watch = {}) =>
       new Promise((settle, fail) => {
@@ -33,7 +39,15 @@ export function silentClient(): TestClient {
         );
         solves.push({ sketchJson, settings, watch, settle, fail });
       }),
-    check: async () => client.checkReply,
+    check: async (_, signal) => {
+      if (client.holdChecks) {
+        await new Promise<void>((resolve, reject) => {
+          release = resolve;
+          signal?.addEventListener('abort', () => reject(signal.reason));
+        });
+      }
+      return client.checkReply;
+    },
     exportModel: async () => ({ outcome: 'ok', text: '' }),
     ask: async () => ({ outcome: 'ok', text: '{"ok":false,"message":"","moving":[]}' }),
     warmUp: () => undefined,

@@ -1,6 +1,7 @@
 import { expect, test, vi } from 'vitest';
 import {
   createSolverClient,
+  type SolverClient,
   SolverError,
   type WorkerPort,
 } from '../../../web/src/solver/client.ts';
@@ -127,6 +128,52 @@ test('a worker that is stuck after a cancel is replaced, and what else was asked
   worker(1).reply({ kind: 'checked', jobId: 2, checkJson: '{}' });
   expect((await solve).outcome).toBe('cancelled');
   expect(await check).toEqual({ outcome: 'ok', text: '{}' });
+  vi.useRealTimers();
+});
+
+const JOBS = {
+  check: (client: SolverClient, signal: AbortSignal) => client.check('m', signal),
+  export: (client: SolverClient, signal: AbortSignal) => client.exportModel('m', 'mpd', signal),
+  question: (client: SolverClient, signal: AbortSignal) =>
+    client.ask({ about: 'motion', modelJson: 'm' }, signal),
+};
+
+test.each(Object.entries(JOBS))(
+  'a cancelled %s settles at once, and its worker is gone within 100 ms',
+  async (_, begin) => {
+    vi.useFakeTimers();
+    const { workers, worker } = setUp();
+    const client = createSolverClient({
+      startWorker: () => {
+        const started = new ScriptedWorker();
+        workers.push(started);
+        return started;
+      },
+    });
+    const abort = new AbortController();
+    const job = begin(client, abort.signal);
+    abort.abort();
+    await expect(job).rejects.toBe(abort.signal.reason);
+    await vi.advanceTimersByTimeAsync(100);
+    expect(worker(0).terminated).toBe(true);
+    // The next one is asked of another.
+    const next = begin(client, new AbortController().signal);
+    worker(1).reply({ kind: 'refused', jobId: 2, message: 'no' });
+    expect(await next).toEqual({ outcome: 'refused', message: 'no' });
+    vi.useRealTimers();
+  },
+);
+
+test('a cancelled check whose worker answers in time keeps it', async () => {
+  vi.useFakeTimers();
+  const { client, worker } = setUp();
+  const abort = new AbortController();
+  const job = client.check('m', abort.signal);
+  abort.abort();
+  worker(0).reply({ kind: 'checked', jobId: 1, checkJson: '{}' });
+  await expect(job).rejects.toBe(abort.signal.reason);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(worker(0).terminated).toBe(false);
   vi.useRealTimers();
 });
 

@@ -1,12 +1,12 @@
-import { effect, type Signal } from '@preact/signals';
-import type { Preferences } from '../state/preferences.ts';
+import { effect } from '@preact/signals';
+import type { PagePreferences } from '../state/page-preferences.ts';
 
 /**
  * Loads the page again when another language is chosen: words are chosen once a load.
  * @param kept settles when the sketch is written, so that the reload loses nothing.
  */
 export function followLanguage(
-  preferences: Signal<Preferences>,
+  preferences: PagePreferences,
   kept: () => Promise<void>,
 ): () => void {
   const first = preferences.peek().language;

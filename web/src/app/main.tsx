@@ -3,12 +3,8 @@ import { computed, effect } from '@preact/signals';
 import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
-import { decodeShare } from '../share/codec.ts';
 import type { SolverClient } from '../solver/client.ts';
 import { createSolverPool } from '../solver/solver-pool.ts';
-import { SketchLibrary } from '../state/library.ts';
-import { keptPreferences, type TextStorage } from '../state/preferences.ts';
-import { type KeyValueStore, memoryStore, openBrowserStore } from '../state/storage.ts';
 import { type SavedSketch, SketchStore } from '../state/store.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
@@ -28,17 +24,17 @@ import '../../styles/panel.css';
 import '../../styles/dialogs.css';
 import '../../styles/rooms.css';
 import '../../styles/search.css';
-import type { SketchDocument } from '../model/sketch.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
 import { loadExamples } from './example-list.ts';
 import { SETTLED } from './first-model.ts';
 import { followLanguage } from './follow-language.ts';
+import { keepPreferences, openLibrary, openStore } from './keeping.ts';
 import { listenToKeys } from './keyboard.ts';
 import type { MadeModel } from './made-model.ts';
+import { openLink } from './open-link.ts';
 import { PageController } from './page-controller.ts';
-import { isOwnAddress } from './page-files.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { watchSketch } from './sketch-watch.ts';
@@ -49,23 +45,6 @@ const ADDRESS_PAUSE_MS = 600;
 const TURN_MS = 12_000;
 /** A page in the background draws nothing: what waits for the picture waits no longer than this. */
 const PICTURE_PATIENCE_MS = 3000;
-
-function textStorage(kind: 'localStorage' | 'sessionStorage'): TextStorage | null {
-  try {
-    return window[kind];
-  } catch {
-    return null;
-  }
-}
-
-async function openStore(onMissing: () => void): Promise<KeyValueStore> {
-  try {
-    return await openBrowserStore('liftarm');
-  } catch {
-    onMissing();
-    return memoryStore();
-  }
-}
 
 async function fetchJson(path: string): Promise<unknown> {
   const reply = await fetch(path);
@@ -91,7 +70,7 @@ function pageOf(controller: PageController): Page {
       open: controller.openKept,
       duplicate: (id) =>
         controller.shelf.duplicate(id, (name) => fillWords(text.sketches.copyName, { name })),
-      remove: (id) => controller.shelf.remove(id),
+      remove: controller.removeKept,
     },
     useTool: controller.useTool,
     openExample: controller.openExample,
@@ -107,6 +86,7 @@ function pageOf(controller: PageController): Page {
     confirmSymmetry: controller.confirmSymmetry,
     dropSymmetry: controller.dropSymmetry,
     rename: controller.rename,
+    dropOwnSettings: controller.dropOwnSettings,
     dismissToast: (id) => toaster.dismiss(id),
     typeLength: controller.typeLength,
   };
@@ -126,33 +106,6 @@ function turnUntilTouched(scene: SceneBridge): void {
   setTimeout(end, TURN_MS);
 }
 
-/** Opens the sketch of a link. @returns whether there was one that is not on the page already. */
-async function openLink(
-  controller: PageController,
-  saved: SketchDocument | null,
-): Promise<boolean> {
-  const { toaster } = controller;
-  const shared =
-    saved && isOwnAddress(history.state) ? null : await decodeShare(location.hash.slice(1));
-  if (!shared) {
-    return false;
-  }
-  if (!shared.ok) {
-    toaster.error(shared.message);
-    return false;
-  }
-  if (JSON.stringify(shared.value.sketch) === JSON.stringify(saved)) {
-    return false;
-  }
-  const refusal = controller.openShared(shared.value);
-  if (refusal !== null) {
-    toaster.error(refusal);
-    return false;
-  }
-  toaster.info(text.files.fromLink);
-  return true;
-}
-
 /**
  * What to begin with: a link, else the last visit's sketch, else the first example.
  * @returns the model that came with the page, if that is shown.
@@ -165,7 +118,7 @@ async function openFirst(
   if (saved) {
     controller.begin(saved);
   }
-  if ((await openLink(controller, saved?.sketch ?? null)) || saved) {
+  if ((await openLink(controller, saved !== null)) || saved) {
     return null;
   }
   turnUntilTouched(scene);
@@ -209,7 +162,7 @@ async function settle(
 
 async function start(): Promise<void> {
   const store = new SketchStore();
-  const preferences = keptPreferences(textStorage('localStorage'));
+  const preferences = keepPreferences(() => toaster.error(text.files.settingsRefused));
   const client = createSolverPool();
   if (location.hash.length > 1) {
     client.warmUp();
@@ -220,7 +173,7 @@ async function start(): Promise<void> {
   followTheme(state);
   document.documentElement.lang = language;
   // Asked for before the page is drawn, so that the first picture does not wait for the answer.
-  const opening = openStore(() => toaster.info(text.files.storeNone));
+  const opening = openStore((message) => controller.warn(message));
   const page = pageOf(controller);
   const root = document.getElementById('app');
   if (!root) {
@@ -242,16 +195,13 @@ async function start(): Promise<void> {
     new AbortController().signal,
   );
   const { shelf } = controller;
-  const library = new SketchLibrary({
-    store: await opening,
-    tab: textStorage('sessionStorage'),
-    newId: () => crypto.randomUUID(),
-    onFailure: () => toaster.error(text.files.storeFull),
-  });
-  const saved = await shelf.begin(library);
+  const saved = await shelf.begin(openLibrary(controller, await opening));
   await Promise.all([loadSentences(), loadPartNames()]);
   const made = await openFirst(controller, saved);
   shelf.keepEdits();
+  effect(() => {
+    document.documentElement.dataset['kept'] = shelf.state.value ?? '';
+  });
   followLanguage(preferences, () => shelf.kept());
   solveAfterEdits(state, {
     generate: controller.regrow,
@@ -273,7 +223,7 @@ async function start(): Promise<void> {
 function followLinks(controller: PageController): void {
   window.addEventListener('hashchange', () => {
     controller.toaster.clearErrors();
-    openLink(controller, controller.state.store.sketch.value)
+    openLink(controller, true)
       .then((opened) => (opened ? null : controller.files.updateAddress()))
       .catch(() => undefined);
   });

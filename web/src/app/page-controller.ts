@@ -1,4 +1,4 @@
-import { effect, signal } from '@preact/signals';
+import { computed, effect, type Signal, signal } from '@preact/signals';
 import { type AxisName, axisIndex, type Vec3 } from '../geometry/vec.ts';
 import { modelBounds } from '../model/bounds.ts';
 import type { Catalogue } from '../model/catalogue.ts';
@@ -8,12 +8,13 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
-import type { SharedState } from '../share/codec.ts';
-import { linkedPreferences } from '../share/shared-state.ts';
 import type { SolverClient } from '../solver/client.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
-import { readSketchValue } from '../state/read-sketch.ts';
+import { pagePreferences } from '../state/page-preferences.ts';
+import type { Preferences } from '../state/preferences.ts';
+import { SEARCH_KEYS, type SearchSettings } from '../state/search-settings.ts';
 import { mendFault, type SketchFault } from '../state/sketch-faults.ts';
+import type { KeptState } from '../state/sketch-records.ts';
 import type { SavedSketch, SketchStore } from '../state/store.ts';
 import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
@@ -36,12 +37,21 @@ import { Toaster } from './toasts.ts';
 
 interface ControllerOptions {
   readonly store: SketchStore;
-  readonly preferences: PageState['preferences'];
+  /** The person's own. */
+  readonly preferences: Signal<Preferences>;
   readonly catalogue: Catalogue;
   readonly client: SolverClient;
 }
 
 const TURN_BACK_MS = 50;
+
+function isSpecial(ofSketch: SearchSettings | null, own: SearchSettings): boolean {
+  return ofSketch !== null && !SEARCH_KEYS.every((key) => same(ofSketch[key], own[key]));
+}
+
+function same(a: unknown, b: unknown): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}
 
 /** Does what the commands ask for. It owns the parts of the page; each part knows only itself. */
 export class PageController implements Actions {
@@ -53,12 +63,20 @@ export class PageController implements Actions {
   readonly files: PageFiles;
   readonly #tools: ReadonlyMap<ToolId, Tool>;
   clipboard: readonly SketchLine[] = [];
+  /** What the sketch on the page brought to be searched with; null for the person's own. */
+  readonly #ofSketch: Signal<SearchSettings | null>;
   /** The sketch that came as a whole last, by a file, a link, an example or the last visit. */
   #opened: SketchDocument | null = null;
 
   constructor(options: ControllerOptions) {
     const { store, preferences, catalogue, client } = options;
-    this.shelf = new SketchShelf(store);
+    this.#ofSketch = signal<SearchSettings | null>(null);
+    this.shelf = new SketchShelf({
+      store,
+      settings: this.#ofSketch,
+      onFollowed: (kept) => this.#follow(kept),
+      onEvent: (event) => this.toaster.error(text.tabs[event]),
+    });
     this.run = new SolveRun(client);
     const planeMode = signal<PlaneMode>('auto');
     let scene: SceneBridge | null = null;
@@ -80,7 +98,8 @@ export class PageController implements Actions {
     });
     this.state = new PageState({
       store,
-      preferences,
+      preferences: pagePreferences(preferences, this.#ofSketch),
+      ownSettings: computed(() => isSpecial(this.#ofSketch.value, preferences.value)),
       catalogue,
       solve: this.run.state,
       shown: this.run.shown,
@@ -208,13 +227,35 @@ export class PageController implements Actions {
     this.fit();
   }
 
+  /** Another tab has drawn on: its sketch takes the page, with its history. */
+  #follow(saved: KeptState): void {
+    this.state.came.value = null;
+    this.state.store.restore(saved);
+    this.toaster.info(text.tabs.changed);
+  }
+
+  readonly dropOwnSettings = (): void => {
+    this.#ofSketch.value = null;
+  };
+
+  readonly removeKept = async (id: string): Promise<void> => {
+    if (!(await this.shelf.remove(id))) {
+      this.toaster.error(text.tabs.notRemoved);
+    }
+  };
+
+  /** Offers the sketch as a file, where the browser keeps none. */
+  warn(message: string): void {
+    this.toaster.error(message, { label: text.files.download, run: this.files.saveSketch });
+  }
+
   /** Puts another sketch on the page; undo brings the old one back. */
-  replaceSketch(sketch: SketchDocument): void {
+  replaceSketch(sketch: SketchDocument, settings: SearchSettings | null = null): void {
     this.state.tool.value.reset();
     this.run.clear();
     this.state.focusedProblem.value = null;
     this.#opened = sketch;
-    this.shelf.leave(sketch);
+    this.shelf.leave(sketch, settings);
     this.state.came.value = null;
     this.edit(text.edits.open, sketch);
     this.useTool('select');
@@ -336,21 +377,6 @@ export class PageController implements Actions {
       tool.key({ key: digit, shift: false });
     }
   };
-
-  // --- Links ------------------------------------------------------------------------------------
-
-  /** A sketch that came from a link is checked like one from a file. */
-  openShared(state: SharedState): string | null {
-    const sketch = readSketchValue(state.sketch);
-    if (!sketch.ok) {
-      return sketch.message;
-    }
-    const { preferences } = this.state;
-    const preset = state.preset in text.settings.presets ? state.preset : preferences.value.preset;
-    preferences.value = { ...preferences.value, ...linkedPreferences(state), preset };
-    this.replaceSketch(sketch.value);
-    return null;
-  }
 
   #toolOf(id: ToolId): Tool {
     const tool = this.#tools.get(id);

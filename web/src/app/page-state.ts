@@ -6,7 +6,7 @@ import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
-import type { Preferences } from '../state/preferences.ts';
+import type { PagePreferences } from '../state/page-preferences.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PlaneMode, Tool } from '../tools/tool.ts';
@@ -28,22 +28,24 @@ const SMALL = { lines: 80, length: 500 } as const;
 
 interface PageStateOptions {
   readonly store: SketchStore;
-  readonly preferences: Signal<Preferences>;
+  readonly preferences: PagePreferences;
   readonly catalogue: Catalogue;
   readonly solve: ReadonlySignal<SolveState>;
   readonly shown: ReadonlySignal<ShownModel | null>;
   readonly tool: Signal<Tool>;
   readonly planeMode: Signal<PlaneMode>;
+  readonly ownSettings: ReadonlySignal<boolean>;
 }
 
 /** All signals of the page, and what follows from them. */
 export class PageState {
   readonly store: SketchStore;
-  readonly preferences: Signal<Preferences>;
+  readonly preferences: PagePreferences;
   readonly solve: ReadonlySignal<SolveState>;
   readonly shown: ReadonlySignal<ShownModel | null>;
   readonly tool: Signal<Tool>;
   readonly planeMode: Signal<PlaneMode>;
+  readonly ownSettings: ReadonlySignal<boolean>;
   readonly catalogue: Catalogue;
   readonly explode = signal(0);
   readonly display = signal<PartDisplay | null>(null);
@@ -98,6 +100,7 @@ export class PageState {
     this.shown = shown;
     this.tool = options.tool;
     this.planeMode = options.planeMode;
+    this.ownSettings = options.ownSettings;
     this.result = computed(() => {
       const model = shown.value;
       return model && resultOf(model, catalogue);

@@ -13,21 +13,26 @@ const LARGEST = { lines: 1200, length: 8000 } as const;
 /** Finds faults and symmetries of the sketch a moment after each edit. @returns what stops it. */
 export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let looking = new AbortController();
   const stop = effect(() => {
     const sketch = state.store.sketch.value;
     clearTimeout(timer);
+    looking.abort();
+    looking = new AbortController();
+    const { signal } = looking;
     timer = setTimeout(() => {
       const looked = isSmallEnough(sketch);
       state.faults.value = looked ? findFaults(sketch) : [];
       state.foundSymmetries.value = [];
       // One line, or two in a row, are symmetric in many ways that nobody means.
       if (looked && sketch.lines.length > 2) {
-        void findSymmetries(state, solver, sketch);
+        void findSymmetries(state, solver, { sketch, signal });
       }
     }, PAUSE_MS);
   });
   return () => {
     clearTimeout(timer);
+    looking.abort();
     stop();
   };
 }
@@ -35,11 +40,11 @@ export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>)
 async function findSymmetries(
   state: PageState,
   solver: Pick<SolverClient, 'ask'>,
-  sketch: SketchDocument,
+  { sketch, signal }: { readonly sketch: SketchDocument; readonly signal: AbortSignal },
 ): Promise<void> {
   const sketchJson = JSON.stringify(sketch);
   // Without an answer, as when the worker died, none are offered; the next edit asks again.
-  const reply = await solver.ask({ about: 'symmetries', sketchJson }).catch(() => null);
+  const reply = await solver.ask({ about: 'symmetries', sketchJson }, signal).catch(() => null);
   // What came in too late is about a sketch that is gone.
   if (reply?.outcome === 'ok' && state.store.sketch.value === sketch) {
     state.foundSymmetries.value = readFoundSymmetries(reply.text);

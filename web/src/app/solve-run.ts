@@ -15,12 +15,22 @@ const MAX_CHART_POINTS = 400;
 export const MAX_LAYOUTS = 12;
 const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], layouts: [], message: '' };
 
+/** What a search has found. */
+interface Found {
+  readonly sketch: SketchDocument;
+  readonly json: string;
+  readonly report: Report;
+}
+
 /** One search at a time: started, watched, cancelled; the last good model stays. */
 export class SolveRun {
   readonly #client: SolverClient;
   readonly #state = signal<SolveState>(IDLE);
   readonly #shown = signal<ShownModel | null>(null);
+  /** Of the search under way, until its model is checked. */
   #running: AbortController | null = null;
+  /** Of a check that nobody waits for. */
+  #checking: AbortController | null = null;
   #sketch: SketchDocument | null = null;
   /** Of the last search that ended, as text. */
   #layout: string | null = null;
@@ -40,9 +50,7 @@ export class SolveRun {
 
   /** Starts a search; one under way is given up. Never rejects. */
   async start(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
-    this.#running?.abort();
-    const run = new AbortController();
-    this.#running = run;
+    const run = this.#begin();
     this.#sketch = sketch;
     this.#state.value = { ...IDLE, phase: 'solving' };
     const onProgress = (progress: SolveProgress, json: string | null) => {
@@ -54,8 +62,7 @@ export class SolveRun {
       const watch = { onProgress, signal: run.signal };
       const result = await this.#client.solve(writeSketch(sketch), settings, watch);
       if (this.#running === run) {
-        this.#running = null;
-        await this.#ended(sketch, result);
+        await this.#ended(sketch, result, run);
       }
     } catch {
       if (this.#running === run) {
@@ -91,8 +98,7 @@ export class SolveRun {
     if (this.#running || this.#shown.peek()?.json !== made.modelJson) {
       return;
     }
-    const run = new AbortController();
-    this.#running = run;
+    const run = this.#begin();
     let state: SolveState = { ...IDLE, phase: 'solved' };
     const onProgress = (progress: SolveProgress, json: string | null) => {
       state = { ...grown(state, progress, json), phase: 'solved' };
@@ -104,21 +110,22 @@ export class SolveRun {
     if (this.#running !== run) {
       return;
     }
-    this.#running = null;
     const shown = this.#shown.peek();
     if (result?.outcome !== 'solved' || shown?.json !== made.modelJson) {
+      this.#running = null;
       return;
     }
     this.#state.value = state;
     const report = timedReport(result);
     if (result.modelJson === made.modelJson) {
+      this.#running = null;
       batch(() => {
         this.#shown.value = { ...shown, report };
         this.#addFinal(result.modelJson, report);
       });
     } else {
       this.#layout = result.layoutJson;
-      await this.#show(made.sketch, result.modelJson, report);
+      await this.#show({ sketch: made.sketch, json: result.modelJson, report }, run);
     }
   }
 
@@ -127,17 +134,32 @@ export class SolveRun {
     return this.#state.peek().phase === 'solving' ? this.#sketch : null;
   }
 
+  /** Ends what is under way, be it the search or the check of what it found. */
   cancel(): void {
     this.#running?.abort();
+  }
+
+  #begin(): AbortController {
+    const before = [this.#running, this.#checking];
+    const run = new AbortController();
+    this.#running = run;
+    for (const other of before) {
+      other?.abort();
+    }
+    return run;
   }
 
   /**
    * Shows a model that a file held.
    * @param onSketch given the sketch that the file holds, before the model is shown.
-   * @returns null, or why it cannot be shown.
+   * @returns null, or why it cannot be shown. Rejects with the reason of the signal.
    */
-  async showFile(json: string, onSketch: (sketch: SketchDocument) => void): Promise<string | null> {
-    const checked = await this.#client.check(json);
+  async showFile(
+    json: string,
+    onSketch: (sketch: SketchDocument) => void,
+    signal?: AbortSignal,
+  ): Promise<string | null> {
+    const checked = await this.#client.check(json, signal);
     if (checked.outcome === 'refused') {
       return checked.message;
     }
@@ -161,9 +183,11 @@ export class SolveRun {
 
   /** Gives up a search under way without a word, as when the sketch is replaced. */
   drop(): void {
-    const run = this.#running;
+    const before = [this.#running, this.#checking];
     this.#running = null;
-    run?.abort();
+    for (const run of before) {
+      run?.abort();
+    }
     this.#state.value = IDLE;
   }
 
@@ -174,7 +198,7 @@ export class SolveRun {
     if (this.#running || !model.ok || !sketch) {
       return;
     }
-    const check = await this.#check(layout.json);
+    const check = await this.#checkAside(layout.json);
     if (!this.#running && this.#sketch === sketch) {
       const { json, objective, beams, gaps, collisions, failedConnections } = layout;
       const buildable = check?.buildable ?? false;
@@ -207,44 +231,44 @@ export class SolveRun {
     });
   }
 
-  async #ended(sketch: SketchDocument, result: SolveResult): Promise<void> {
+  async #ended(sketch: SketchDocument, result: SolveResult, run: AbortController): Promise<void> {
     switch (result.outcome) {
       case 'refused':
+        this.#running = null;
         this.#end('refused', inWords(result.message));
         return;
       case 'cancelled':
+        this.#running = null;
         await this.#cancelled();
         return;
       case 'solved': {
         this.#layout = result.layoutJson;
-        await this.#show(sketch, result.modelJson, timedReport(result));
+        await this.#show({ sketch, json: result.modelJson, report: timedReport(result) }, run);
       }
     }
   }
 
-  async #show(sketch: SketchDocument, json: string, report: Report): Promise<void> {
+  async #show(found: Found, run: AbortController): Promise<void> {
+    const { sketch, json, report } = found;
     const model = readModel(json);
     if (!model.ok) {
+      this.#running = null;
       this.#end('failed', text.solve.failed);
       return;
     }
-    const started = this.#state.value;
-    const check = await this.#check(json);
+    const check = await this.#check(json, run.signal);
     // A new search may have begun while the check ran.
-    if (this.#state.value === started) {
-      batch(() => {
-        this.#shown.value = {
-          source: 'search',
-          json,
-          model: model.value,
-          sketch,
-          report,
-          check,
-        };
-        this.#end('solved', '');
-        this.#addFinal(json, report);
-      });
+    if (this.#running !== run) {
+      return;
     }
+    this.#running = null;
+    const stopped = run.signal.aborted;
+    const known = stopped ? { report: null, check: null } : { report, check };
+    batch(() => {
+      this.#shown.value = { source: 'search', json, model: model.value, sketch, ...known };
+      this.#end(stopped ? 'cancelled' : 'solved', stopped ? text.solve.cancelledUnchecked : '');
+      this.#addFinal(json, report);
+    });
   }
 
   /** The finished model is the last of the layouts. */
@@ -262,16 +286,23 @@ export class SolveRun {
     const shown = this.#shown.value;
     this.#end('cancelled', shown ? text.solve.cancelled : text.solve.cancelledNone);
     if (shown && !shown.report) {
-      const check = await this.#check(shown.json);
-      if (this.#shown.value === shown) {
+      const check = await this.#checkAside(shown.json);
+      if (this.#shown.value === shown && this.#running === null) {
         this.#shown.value = { ...shown, report: { buildable: check?.buildable ?? false }, check };
       }
     }
   }
 
-  async #check(json: string): Promise<CheckReport | null> {
+  /** A check that the next search ends. */
+  #checkAside(json: string): Promise<CheckReport | null> {
+    this.#checking?.abort();
+    this.#checking = new AbortController();
+    return this.#check(json, this.#checking.signal);
+  }
+
+  async #check(json: string, signal: AbortSignal): Promise<CheckReport | null> {
     try {
-      const checked = await this.#client.check(json);
+      const checked = await this.#client.check(json, signal);
       return checked.outcome === 'ok' ? (JSON.parse(checked.text) as CheckReport) : null;
     } catch {
       return null;

@@ -16,8 +16,8 @@ export class Toaster {
   }
 
   /** Stays until it is closed, or until the next file is opened. */
-  error(message: string): void {
-    this.#add('error', message);
+  error(message: string, action?: Toast['action']): void {
+    this.#add('error', message, action);
   }
 
   dismiss(id: number): void {
@@ -28,10 +28,11 @@ export class Toaster {
     this.#toasts.value = this.#toasts.value.filter((toast) => toast.kind !== 'error');
   }
 
-  #add(kind: Toast['kind'], message: string): number {
+  #add(kind: Toast['kind'], message: string, action?: Toast['action']): number {
     this.#lastId += 1;
     const others = this.#toasts.value.filter((toast) => toast.message !== message);
-    this.#toasts.value = [...others, { id: this.#lastId, kind, message }].slice(-MAX_SHOWN);
+    const toast = { id: this.#lastId, kind, message, ...(action ? { action } : {}) };
+    this.#toasts.value = [...others, toast].slice(-MAX_SHOWN);
     return this.#lastId;
   }
 }

@@ -2,7 +2,7 @@ import type { SketchDocument } from '../model/sketch.ts';
 import type { SharedSettings, SharedState } from './codec.ts';
 
 /** What the page's preferences give to a link. */
-interface LinkedPreferences extends SharedSettings {
+export interface LinkedPreferences extends SharedSettings {
   readonly preset: string;
   readonly seed: number;
 }

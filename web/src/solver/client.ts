@@ -37,15 +37,19 @@ export interface SolveWatch {
   readonly signal?: AbortSignal;
 }
 
-/** The solver as the page's main thread sees it. Every promise settles exactly once. */
+/**
+ * The solver as the page's main thread sees it. Every promise settles exactly once. A job whose signal is aborted
+ * settles at once: a solve as `cancelled`, everything else by a rejection with the signal's reason; the worker
+ * is free again within 100 milliseconds, replaced if it does not answer.
+ */
 export interface SolverClient {
   /** \param sketchJson text of a sketch file. Rejects with SolverError only when the worker crashed. */
   solve(sketchJson: string, settings: SolveSettings, watch?: SolveWatch): Promise<SolveResult>;
   /** Every check on a model file; `text` is the check report as JSON. */
-  check(modelJson: string): Promise<TextResult>;
-  exportModel(modelJson: string, format: ExportFormat): Promise<TextResult>;
+  check(modelJson: string, signal?: AbortSignal): Promise<TextResult>;
+  exportModel(modelJson: string, format: ExportFormat, signal?: AbortSignal): Promise<TextResult>;
   /** A further question about a model file; `text` is the answer as JSON. */
-  ask(question: Question): Promise<TextResult>;
+  ask(question: Question, signal?: AbortSignal): Promise<TextResult>;
   /** Loads the module before it is needed. */
   warmUp(): void;
   /** Stops the worker; what was open settles: solves as `cancelled`, the rest with a SolverError. */
@@ -73,7 +77,7 @@ export interface ClientOptions {
 }
 
 const CLIENT_DEFAULTS: ClientOptions = Object.freeze({
-  cancelPatienceMs: 400,
+  cancelPatienceMs: 80,
   startWorker: startSolverWorker,
 });
 
@@ -103,7 +107,7 @@ export function createSolverClient(options: Partial<ClientOptions> = {}): Solver
 class WorkerClient implements SolverClient {
   readonly #options: ClientOptions;
   readonly #jobs = new Map<number, Job>();
-  /** Cancelled solves that the worker has not confirmed, with the timer that ends its patience. */
+  /** Cancelled jobs that the worker has not confirmed, with the timer that ends its patience. */
   readonly #stopping = new Map<number, ReturnType<typeof setTimeout>>();
   #worker: WorkerPort | null = null;
   #lastJobId = 0;
@@ -148,16 +152,16 @@ class WorkerClient implements SolverClient {
     });
   }
 
-  check(modelJson: string): Promise<TextResult> {
-    return this.#ask({ kind: 'check', jobId: this.#nextJobId(), modelJson });
+  check(modelJson: string, signal?: AbortSignal): Promise<TextResult> {
+    return this.#ask({ kind: 'check', jobId: this.#nextJobId(), modelJson }, signal);
   }
 
-  exportModel(modelJson: string, format: ExportFormat): Promise<TextResult> {
-    return this.#ask({ kind: 'export', jobId: this.#nextJobId(), modelJson, format });
+  exportModel(modelJson: string, format: ExportFormat, signal?: AbortSignal): Promise<TextResult> {
+    return this.#ask({ kind: 'export', jobId: this.#nextJobId(), modelJson, format }, signal);
   }
 
-  ask(question: Question): Promise<TextResult> {
-    return this.#ask({ kind: 'ask', jobId: this.#nextJobId(), question });
+  ask(question: Question, signal?: AbortSignal): Promise<TextResult> {
+    return this.#ask({ kind: 'ask', jobId: this.#nextJobId(), question }, signal);
   }
 
   warmUp(): void {
@@ -171,12 +175,25 @@ class WorkerClient implements SolverClient {
     }
   }
 
-  #ask(request: Extract<ToWorker, { kind: 'check' | 'export' | 'ask' }>): Promise<TextResult> {
+  #ask(
+    request: Extract<ToWorker, { kind: 'check' | 'export' | 'ask' }>,
+    signal?: AbortSignal,
+  ): Promise<TextResult> {
     return new Promise((resolve, reject) => {
       const finish = (settle: () => void) => {
+        signal?.removeEventListener('abort', cancel);
         this.#jobs.delete(request.jobId);
         settle();
       };
+      const cancel = () => {
+        finish(() => reject(signal?.reason));
+        this.#stopJob(request.jobId);
+      };
+      if (signal?.aborted) {
+        reject(signal.reason);
+        return;
+      }
+      signal?.addEventListener('abort', cancel);
       this.#begin({
         request,
         onReply: (reply) => finish(() => settleText(reply, { resolve, reject })),
@@ -196,7 +213,7 @@ class WorkerClient implements SolverClient {
     this.#ensureWorker().postMessage(job.request);
   }
 
-  /** Asks the worker to drop a solve that is settled here already, and replaces it when it is stuck. */
+  /** Asks the worker to drop a job that is settled here already, and replaces it when it is stuck. */
   #stopJob(jobId: number): void {
     this.#worker?.postMessage({ kind: 'cancel', jobId });
     this.#stopping.set(

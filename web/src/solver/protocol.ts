@@ -91,7 +91,7 @@ export type ToWorker =
       readonly sketchJson: string;
       readonly settings: SolveSettings;
     }
-  /** Ends the solve of that number with `cancelled`; no reply when it has ended already. */
+  /** Ends the solve of that number with `cancelled`; no reply when it has ended already, or is no solve. */
   | { readonly kind: 'cancel'; readonly jobId: number }
   /** Replies: `checked`, `refused` or `failed`. */
   | { readonly kind: 'check'; readonly jobId: number; readonly modelJson: string }

@@ -49,9 +49,9 @@ export function createSolverPool(options: Partial<PoolOptions> = {}): SolverClie
   return {
     solve: (sketchJson, settings, watch = {}) =>
       new SeedRace(chosen, park, { sketchJson, settings, watch }).run(),
-    check: (modelJson) => park.free().check(modelJson),
-    exportModel: (modelJson, format) => park.free().exportModel(modelJson, format),
-    ask: (question) => park.free().ask(question),
+    check: (...asked) => park.free().check(...asked),
+    exportModel: (...asked) => park.free().exportModel(...asked),
+    ask: (...asked) => park.free().ask(...asked),
     warmUp: () => park.free().warmUp(),
     dispose: () => park.dispose(),
   };

@@ -29,6 +29,8 @@ export interface SketchDelta {
   readonly ground?: Change<number>;
 }
 
+const LISTS = ['lines', 'joints', 'symmetries', 'keepOut'] as const;
+
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
 /** The smallest splice that turns `before` into `after`, or undefined when they are equal. */
@@ -106,6 +108,46 @@ export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDo
     else next.ground = delta.ground.after;
   }
   return next;
+}
+
+/** Whether a value from outside is a delta. */
+export function isDelta(value: unknown): value is SketchDelta {
+  if (!isRecord(value)) {
+    return false;
+  }
+  const { name, ground } = value;
+  return (
+    LISTS.every((key) => value[key] === undefined || isSplice(value[key])) &&
+    (name === undefined || isChange(name, 'string')) &&
+    (ground === undefined || isChange(ground, 'number'))
+  );
+}
+
+/** Whether a sketch has what a delta replaces. */
+export function fitsDelta(sketch: SketchDocument, delta: SketchDelta): boolean {
+  return LISTS.every((key) => {
+    const splice = delta[key];
+    return !splice || splice.at + splice.removed.length <= (sketch[key]?.length ?? 0);
+  });
+}
+
+function isSplice(value: unknown): boolean {
+  return (
+    isRecord(value) &&
+    Number.isSafeInteger(value['at']) &&
+    Number(value['at']) >= 0 &&
+    Array.isArray(value['removed']) &&
+    Array.isArray(value['added'])
+  );
+}
+
+function isChange(value: unknown, type: 'string' | 'number'): boolean {
+  const known = (side: unknown) => side === null || typeof side === type;
+  return isRecord(value) && known(value['before']) && known(value['after']);
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
 type ListKey = 'joints' | 'symmetries' | 'keepOut';

@@ -1,23 +1,14 @@
 import { effect, type Signal, signal } from '@preact/signals';
+import { readSearchFields, type SearchSettings, USUAL_SEARCH } from './search-settings.ts';
 
 /** What the interface can be shown in. */
 export type Language = 'en' | 'de';
 
 /** What a person sets and the next visit keeps; none of it is part of a sketch. */
-export interface Preferences {
+export interface Preferences extends SearchSettings {
   readonly language: 'auto' | Language;
   readonly theme: 'auto' | 'light' | 'dark';
   readonly autoSolve: boolean;
-  readonly preset: string;
-  readonly seed: number;
-  /** How long to search, as a multiple of what is usual. */
-  readonly effort: number;
-  /** Parts that the search must not use. */
-  readonly off: readonly string[];
-  /** How many there are of each part; parts that are not counted are plenty. */
-  readonly owned: Readonly<Record<string, number>>;
-  /** Single solver options, one `key=value` a line, as `liftarm solve --set`. */
-  readonly advanced: string;
   readonly show: 'sketch' | 'both' | 'model';
   readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
@@ -27,28 +18,19 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   language: 'auto',
   theme: 'auto',
   autoSolve: true,
-  preset: 'simple',
-  seed: 1,
-  effort: 1,
-  off: [],
-  owned: {},
-  advanced: '',
+  ...USUAL_SEARCH,
   show: 'both',
   colourBy: 'part',
   projection: 'perspective',
 });
 
+type PageFields = Omit<Preferences, keyof SearchSettings>;
+
 /** One test a field: what may come back from storage. */
-const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean } = {
+const ACCEPTS: { readonly [K in keyof PageFields]: (value: unknown) => boolean } = {
   language: oneOf('auto', 'en', 'de'),
   theme: oneOf('auto', 'light', 'dark'),
   autoSolve: (value) => typeof value === 'boolean',
-  preset: (value) => typeof value === 'string' && value.length < 60,
-  seed: (value) => Number.isInteger(value) && Number(value) >= 0 && Number(value) <= 2 ** 31,
-  effort: (value) => typeof value === 'number' && value >= 0.01 && value <= 100,
-  off: (value) => Array.isArray(value) && value.length < 200 && value.every(isPartNumber),
-  owned: isCounts,
-  advanced: (value) => typeof value === 'string' && value.length < 4000,
   show: oneOf('sketch', 'both', 'model'),
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
@@ -61,33 +43,68 @@ export const PREFERENCES_KEY = 'liftarm/preferences';
 
 /** Every stored field that is acceptable, the default for the rest. */
 export function readPreferences(text: string | null): Preferences {
-  let stored: unknown;
-  try {
-    stored = JSON.parse(text ?? '{}');
-  } catch {
-    stored = {};
-  }
-  if (typeof stored !== 'object' || stored === null) {
-    return PREFERENCE_DEFAULTS;
-  }
+  const stored = parsed(text);
   const accepted = Object.entries(stored).filter(
-    ([key, value]) => key in ACCEPTS && ACCEPTS[key as keyof Preferences](value),
+    ([key, value]) => Object.hasOwn(ACCEPTS, key) && ACCEPTS[key as keyof PageFields](value),
   );
-  return { ...PREFERENCE_DEFAULTS, ...Object.fromEntries(accepted) };
+  return { ...PREFERENCE_DEFAULTS, ...Object.fromEntries(accepted), ...readSearchFields(stored) };
 }
 
-/** The preferences as a signal that writes itself back. A storage that refuses is not an error. */
-export function keptPreferences(storage: TextStorage | null): Signal<Preferences> {
-  const preferences = signal(readPreferences(storage?.getItem(PREFERENCES_KEY) ?? null));
+function parsed(text: string | null): object {
+  try {
+    const value: unknown = JSON.parse(text ?? '{}');
+    return typeof value === 'object' && value !== null ? value : {};
+  } catch {
+    return {};
+  }
+}
+
+export interface PreferenceKeeping {
+  readonly storage: TextStorage | null;
+  /** Tells of the text whenever another tab has written it. */
+  readonly onOtherTab: (take: (text: string | null) => void) => void;
+  /** The browser does not keep them: said once. */
+  readonly onRefused: () => void;
+}
+
+/**
+ * The preferences as a signal that writes itself back, only what was changed here, and follows what other tabs change;
+ * all but the language, which would load the page again under somebody's hands.
+ */
+export function keptPreferences(keeping: PreferenceKeeping): Signal<Preferences> {
+  const { storage, onOtherTab, onRefused } = keeping;
+  const read = () => storage?.getItem(PREFERENCES_KEY) ?? null;
+  let last = readPreferences(read());
+  const preferences = signal(last);
+  let refused = false;
   effect(() => {
-    const text = JSON.stringify(preferences.value);
+    const changed = differences(last, preferences.value);
+    last = preferences.value;
+    if (Object.keys(changed).length === 0) {
+      return;
+    }
     try {
-      storage?.setItem(PREFERENCES_KEY, text);
+      storage?.setItem(PREFERENCES_KEY, JSON.stringify({ ...parsed(read()), ...changed }));
     } catch {
       // Full or forbidden: the page works on, it only forgets.
+      if (!refused) {
+        onRefused();
+      }
+      refused = true;
     }
   });
+  onOtherTab((text) => {
+    last = { ...readPreferences(text), language: last.language };
+    preferences.value = last;
+  });
   return preferences;
+}
+
+function differences(before: Preferences, after: Preferences): Partial<Preferences> {
+  const keys = Object.keys(after) as (keyof Preferences)[];
+  return Object.fromEntries(
+    keys.filter((key) => before[key] !== after[key]).map((key) => [key, after[key]]),
+  );
 }
 
 /** The `set` of the solver's settings from lines of `key=value`; lines without `=` are left out. */
@@ -114,18 +131,4 @@ function typedValue(text: string): number | string | boolean {
 
 function oneOf(...allowed: readonly string[]): (value: unknown) => boolean {
   return (value) => typeof value === 'string' && allowed.includes(value);
-}
-
-function isPartNumber(value: unknown): boolean {
-  return typeof value === 'string' && /^[\w-]{1,20}$/.test(value);
-}
-
-function isCounts(value: unknown): boolean {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-    return false;
-  }
-  const entries = Object.entries(value);
-  const good = ([id, count]: [string, unknown]) =>
-    isPartNumber(id) && Number.isInteger(count) && Number(count) >= 0;
-  return entries.length < 500 && entries.every(good);
 }

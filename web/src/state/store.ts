@@ -1,10 +1,15 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { emptySketch, type SketchDocument } from '../model/sketch.ts';
-import { applyDelta, diffSketch, invertDelta, isEmptyDelta } from './delta.ts';
+import { applyDelta, diffSketch, invertDelta, isEmptyDelta, type SketchDelta } from './delta.ts';
 import { EMPTY_HISTORY, type History, pushEntry, stepBack, stepForward } from './history.ts';
 
-/** How a change enters the history: at once, with the next one (a drag under way), or not at all. */
-export type Capture = 'now' | 'later' | 'never';
+/** How a change enters the history: at once, or with the next one (a drag under way). */
+export type Capture = 'now' | 'later';
+
+/** One move through the history; `delta` is what it does to the sketch. */
+export type Step =
+  | { readonly kind: 'push'; readonly label: string; readonly delta: SketchDelta }
+  | { readonly kind: 'undo' | 'redo'; readonly delta: SketchDelta };
 
 /** Everything of the sketch that survives a reload. */
 export interface SavedSketch {
@@ -19,6 +24,7 @@ export class SketchStore {
   readonly #selection = signal<ReadonlySet<number>>(new Set());
   /** The sketch as the newest history entry left it; differs while a gesture is under way. */
   #captured: SketchDocument = this.#sketch.value;
+  #onStep: (step: Step) => void = () => undefined;
 
   readonly sketch: ReadonlySignal<SketchDocument> = this.#sketch;
   readonly history: ReadonlySignal<History> = this.#history;
@@ -26,6 +32,16 @@ export class SketchStore {
   readonly selection: ReadonlySignal<ReadonlySet<number>> = this.#selection;
   readonly canUndo = computed(() => this.#history.value.past.length > 0);
   readonly canRedo = computed(() => this.#history.value.future.length > 0);
+
+  /** Tells one listener of every step, as soon as it is done; restore() is none. */
+  listen(onStep: (step: Step) => void): void {
+    this.#onStep = onStep;
+  }
+
+  /** Whether there is more on the page than the history has: a gesture is under way. */
+  get underWay(): boolean {
+    return this.#sketch.peek() !== this.#captured;
+  }
 
   /** Puts `next` in place of the sketch; `label` names the step for undo. */
   commit(label: string, next: SketchDocument, capture: Capture = 'now'): void {
@@ -37,13 +53,12 @@ export class SketchStore {
       if (capture === 'later') {
         return;
       }
-      if (capture === 'now') {
-        const delta = diffSketch(this.#captured, next);
-        if (!isEmptyDelta(delta)) {
-          this.#history.value = pushEntry(this.#history.value, { label, delta });
-        }
-      }
+      const delta = diffSketch(this.#captured, next);
       this.#captured = next;
+      if (!isEmptyDelta(delta)) {
+        this.#history.value = pushEntry(this.#history.value, { label, delta });
+        this.#onStep({ kind: 'push', label, delta });
+      }
     });
   }
 
@@ -61,7 +76,9 @@ export class SketchStore {
     if (!step) {
       return null;
     }
-    this.#move(applyDelta(this.#captured, invertDelta(step.entry.delta)), step.history);
+    const delta = invertDelta(step.entry.delta);
+    this.#move(applyDelta(this.#captured, delta), step.history);
+    this.#onStep({ kind: 'undo', delta });
     return step.entry.label;
   }
 
@@ -72,7 +89,9 @@ export class SketchStore {
     if (!step) {
       return null;
     }
-    this.#move(applyDelta(this.#captured, step.entry.delta), step.history);
+    const { delta } = step.entry;
+    this.#move(applyDelta(this.#captured, delta), step.history);
+    this.#onStep({ kind: 'redo', delta });
     return step.entry.label;
   }
 

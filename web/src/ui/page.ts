@@ -8,7 +8,7 @@ import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts
 import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
-import type { Preferences } from '../state/preferences.ts';
+import type { PagePreferences } from '../state/page-preferences.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
@@ -107,6 +107,8 @@ export interface Toast {
   readonly id: number;
   readonly kind: 'info' | 'error';
   readonly message: string;
+  /** What can be done about it. */
+  readonly action?: { readonly label: string; readonly run: () => void };
 }
 
 export type DialogName = 'bricks' | 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
@@ -124,7 +126,11 @@ export interface SketchLibraryPage {
 export interface Page {
   readonly commands: CommandTable;
   readonly store: SketchStore;
-  readonly preferences: Signal<Preferences>;
+  readonly preferences: PagePreferences;
+  /** Whether the sketch on the page brought search settings of its own. */
+  readonly ownSettings: ReadonlySignal<boolean>;
+  /** The sketch is searched with the person's settings from now on. */
+  dropOwnSettings(): void;
   readonly tool: ReadonlySignal<Tool>;
   readonly solve: ReadonlySignal<SolveState>;
   readonly result: ReadonlySignal<ResultState | null>;

@@ -19,6 +19,7 @@ export function SettingsSection() {
   return (
     <Section title={text.settings.title}>
       <div class="settings">
+        <OwnSettings />
         <PresetChoice change={change} />
         <BrickChoice />
         <EffortChoice change={change} />
@@ -27,6 +28,19 @@ export function SettingsSection() {
       </div>
     </Section>
   );
+}
+
+/** Said where a link brought other settings than the person's own. */
+function OwnSettings() {
+  const { ownSettings, dropOwnSettings } = usePage();
+  return ownSettings.value ? (
+    <div class="field" role="note">
+      <span class="quiet">{text.settings.ofSketch}</span>
+      <button type="button" class="button secondary" onClick={dropOwnSettings}>
+        {text.settings.useMine}
+      </button>
+    </div>
+  ) : null;
 }
 
 function PresetChoice({ change }: { readonly change: Change }) {

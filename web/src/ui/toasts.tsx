@@ -16,6 +16,11 @@ export function Toasts() {
         >
           <Icon name={toast.kind === 'error' ? 'alert' : 'info'} />
           <p>{inWords(toast.message)}</p>
+          {toast.action ? (
+            <button type="button" class="button secondary" onClick={toast.action.run}>
+              {toast.action.label}
+            </button>
+          ) : null}
           <button
             type="button"
             class="icon-button small"

@@ -5,6 +5,7 @@ import { decodeShare } from '../../share/codec.ts';
 import { linkedPreferences } from '../../share/shared-state.ts';
 import { createSolverClient } from '../../solver/client.ts';
 import { readSketchValue, writeSketch } from '../../state/read-sketch.ts';
+import { readSearchSettings, USUAL_SEARCH } from '../../state/search-settings.ts';
 import { chooseWords } from '../../ui/text/language.ts';
 import { inWords, loadSentences } from '../../ui/text/sentences.ts';
 import { SceneView } from '../../view/scene-view.ts';
@@ -73,7 +74,7 @@ export async function showLink(host: HTMLElement, fragment: string): Promise<voi
 async function solve(view: SceneView, state: SharedState, status: HTMLElement): Promise<void> {
   status.textContent = WORDS.solving;
   const client = createSolverClient();
-  const settings = settingsOf(linkedPreferences(state));
+  const settings = settingsOf(readSearchSettings(linkedPreferences(state)) ?? USUAL_SEARCH);
   const result = await client.solve(writeSketch(state.sketch), settings);
   client.dispose();
   const model = result.outcome === 'solved' ? readModel(result.modelJson) : null;

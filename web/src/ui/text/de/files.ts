@@ -16,12 +16,28 @@ export const FILES_DE: Words<typeof FILES_EN> = {
     copied: 'Link kopiert.',
     copyFailed: 'Der Browser ließ uns nicht kopieren. Der Link steht in der Adresszeile.',
     fromLink: 'Aus einem Link geöffnet.',
+    linkLeftOut:
+      'Der Link hat Einstellungen, die diese Seite nicht kennt; sie sind weggelassen: {list}',
+    download: 'Skizze herunterladen',
     restored: 'Ihre letzte Skizze ist wieder da.',
     storeFull:
       'Der Browser konnte die Skizze nicht sichern. Laden Sie sie herunter, damit nichts verloren geht.',
+    settingsRefused:
+      'Der Browser konnte Ihre Einstellungen nicht für den nächsten Besuch behalten.',
+    storeFrame:
+      'Im Rahmen einer anderen Seite wird nichts behalten. Laden Sie die Skizze herunter, bevor Sie gehen.',
     storeNone:
       'Dieser Browser behält nichts zwischen den Besuchen. Laden Sie die Skizze herunter, bevor Sie gehen.',
     exportFailed: 'Die Datei ließ sich nicht schreiben: {message}',
     checking: '{name} wird geprüft …',
+  },
+  tabs: {
+    changed: 'In einem anderen Tab geändert; das ist der neueste Stand.',
+    removed:
+      'Diese Skizze wurde in einem anderen Tab gelöscht. Hier bleibt sie, und Ihre nächste Änderung sichert sie wieder.',
+    forked:
+      'Ein anderer Tab hat diese Skizze inzwischen geändert. Was auf dieser Seite steht, ist als eigene Skizze gesichert; die andere ist unter Ihren Skizzen.',
+    notRemoved:
+      'Ein anderer Tab hat diese Skizze geändert, seit sie gelistet wurde; sie wurde nicht gelöscht.',
   },
 };

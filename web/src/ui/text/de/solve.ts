@@ -17,6 +17,8 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     },
     iterations: 'Schritte',
     cancelled: 'Abgebrochen. Das letzte Modell bleibt.',
+    cancelledUnchecked:
+      'Abgebrochen, bevor das Modell geprüft war: Ob es sich bauen lässt, ist nicht bekannt.',
     cancelledNone: 'Abgebrochen, bevor es ein Modell gab.',
     stale: 'Die Skizze hat sich geändert, seit dieses Modell entstand.',
     failed:
@@ -109,6 +111,8 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     effort: 'Aufwand',
     efforts: { quick: 'Kurz', usual: 'Üblich', thorough: 'Gründlich' },
     seed: 'Startwert',
+    ofSketch: 'Diese Skizze wird mit den Einstellungen ihres Links gesucht, nicht mit Ihren.',
+    useMine: 'Meine Einstellungen nehmen',
     seedHelp: 'Gleiche Skizze, Einstellungen und Startwert ergeben immer das gleiche Modell.',
     advanced: 'Weitere Einstellungen',
     advancedHelp: 'Ein Schlüssel=Wert je Zeile, etwa effort=2 oder lengths=3,5,9,15.',

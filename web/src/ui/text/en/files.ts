@@ -15,10 +15,24 @@ export const FILES_EN = {
     copied: 'Link copied.',
     copyFailed: 'The browser did not let us copy. The link is in the address bar.',
     fromLink: 'Opened from a link.',
+    linkLeftOut: 'The link has settings that this page does not know; they are left out: {list}',
+    download: 'Download the sketch',
     restored: 'Your last sketch is back.',
     storeFull: 'The browser could not save the sketch. Download it so that nothing is lost.',
+    settingsRefused: 'The browser could not keep your settings for the next visit.',
+    storeFrame:
+      'In the frame of another site nothing is kept. Download the sketch before you leave.',
     storeNone: 'This browser keeps nothing between visits. Download the sketch before you leave.',
     exportFailed: 'The file could not be written: {message}',
     checking: 'Checking {name}…',
+  },
+  /** What other tabs of this browser do to the sketch that is open. */
+  tabs: {
+    changed: 'Changed in another tab; this is the newest state.',
+    removed:
+      'This sketch was deleted in another tab. It stays here, and your next edit keeps it again.',
+    forked:
+      'Another tab changed this sketch meanwhile. What is on this page is kept as a sketch of its own; the other is among your sketches.',
+    notRemoved: 'Another tab has changed this sketch since it was listed, so it was not deleted.',
   },
 } as const;

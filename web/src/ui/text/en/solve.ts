@@ -16,6 +16,8 @@ export const SOLVE_EN = {
     } as Readonly<Record<string, string>>,
     iterations: 'steps',
     cancelled: 'Cancelled. The last model stays.',
+    cancelledUnchecked:
+      'Cancelled before the model was checked: whether it can be built is not known.',
     cancelledNone: 'Cancelled before there was a model.',
     stale: 'The sketch has changed since this model was made.',
     failed: 'The solver stopped unexpectedly. The sketch is safe; try again.',
@@ -105,6 +107,8 @@ export const SOLVE_EN = {
     effort: 'Effort',
     efforts: { quick: 'Quick', usual: 'Usual', thorough: 'Thorough' },
     seed: 'Seed',
+    ofSketch: 'This sketch is searched with the settings of its link, not with yours.',
+    useMine: 'Use my settings',
     seedHelp: 'The same sketch, settings and seed always give the same model.',
     advanced: 'Advanced options',
     advancedHelp: 'One key=value a line, such as effort=2 or lengths=3,5,9,15.',
