@@ -19,6 +19,7 @@ inline constexpr double kLeastMirrored = 0.9999;  //!< share of beams whose imag
 //! \brief A number of an item, named as in reports.
 struct Figure {
   Figure(std::string named, double number) : name(std::move(named)), value(number) {}
+
   Figure(std::string named, int count) : name(std::move(named)), value(count) {}
 
   std::string name;

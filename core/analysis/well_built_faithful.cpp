@@ -11,73 +11,50 @@ namespace liftarm::analysis {
 
 namespace {
 
-using lattice::Cell;
 using lattice::Vec3;
 
-double distanceTo(const EdgeCover& edge, Vec3 p) {
-  const Vec3 along = edge.to - edge.from;
+double distanceTo(const sketch::Line& line, Vec3 p) {
+  const Vec3 along = line.to - line.from;
   const double t =
-      std::clamp(lattice::dot(p - edge.from, along) / lattice::dot(along, along), 0.0, 1.0);
-  return lattice::length(p - edge.from - t * along);
+      std::clamp(lattice::dot(p - line.from, along) / lattice::dot(along, along), 0.0, 1.0);
+  return lattice::length(p - line.from - t * along);
 }
 
-//! The unit edges of a sketch by the cells of kPitch modules that they begin in.
-class EdgeGrid {
- public:
-  explicit EdgeGrid(const std::vector<EdgeCover>& edges) {
-    for (const EdgeCover& edge : edges) {
-      cells_[cellOf(edge.from)].push_back(&edge);
+//! The lines that may be the nearest to some point within a sphere.
+std::vector<const sketch::Line*> linesNear(const std::vector<sketch::Line>& lines,
+                                           Vec3 centre,
+                                           double radius) {
+  std::vector<double> distances;
+  distances.reserve(lines.size());
+  for (const sketch::Line& line : lines) {
+    distances.push_back(distanceTo(line, centre));
+  }
+  const double nearest = *std::min_element(distances.begin(), distances.end());
+  std::vector<const sketch::Line*> result;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (distances[i] <= nearest + 2 * radius) {
+      result.push_back(&lines[i]);
     }
   }
+  return result;
+}
 
-  //! Distance to the nearest edge, at most `most`.
-  [[nodiscard]] double distance(Vec3 p, double most) const {
-    const double reach = most + 1.0;
-    const Cell low = cellOf(p - Vec3{reach, reach, reach});
-    const Cell high = cellOf(p + Vec3{reach, reach, reach});
-    double nearest = most;
-    for (int x = low.x; x <= high.x; ++x) {
-      for (int y = low.y; y <= high.y; ++y) {
-        for (int z = low.z; z <= high.z; ++z) {
-          const auto cell = cells_.find({x, y, z});
-          if (cell == cells_.end()) {
-            continue;
-          }
-          for (const EdgeCover* edge : cell->second) {
-            nearest = std::min(nearest, distanceTo(*edge, p));
-          }
-        }
-      }
-    }
-    return nearest;
+//! How far the middle of a part's farthest module lies from the drawing.
+double farthestModule(const ScenePart& part, const std::vector<sketch::Line>& lines) {
+  if (part.box.empty()) {
+    return 0.0;
   }
-
- private:
-  static constexpr double kPitch = 4.0;
-
-  static Cell cellOf(Vec3 p) {
-    const auto cell = [](double v) { return static_cast<int>(std::floor(v / kPitch)); };
-    return {cell(p.x), cell(p.y), cell(p.z)};
-  }
-
-  std::map<Cell, std::vector<const EdgeCover*>> cells_;
-};
-
-struct Farthest {
-  double distance = 0.0;
-  Vec3 at;
-};
-
-//! The module of a part that lies farthest from the drawing.
-Farthest farthestModule(const ScenePart& part, const EdgeGrid& edges) {
-  constexpr double kMost = 6.0;  // further out is as bad
-  Farthest farthest;
+  const Vec3 centre = 0.5 * (part.box.min + part.box.max);
+  const double radius = 0.5 * lattice::length(part.box.max - part.box.min);
+  const std::vector<const sketch::Line*> near = linesNear(lines, centre, radius);
+  double farthest = 0.0;
   for (const Shape& shape : part.shapes) {
     for (const Vec3 p : {shape.prism.from, shape.prism.to}) {
-      const double distance = edges.distance(p, kMost);
-      if (distance > farthest.distance) {
-        farthest = {distance, p};
+      double nearest = distanceTo(*near.front(), p);
+      for (const sketch::Line* line : near) {
+        nearest = std::min(nearest, distanceTo(*line, p));
       }
+      farthest = std::max(farthest, nearest);
     }
   }
   return farthest;
@@ -124,16 +101,14 @@ WellBuiltItem judgeFaithful(const WellBuiltQuery& query) {
                              {part}});
     }
   }
-  const EdgeGrid edges(query.coverage);
-  Farthest farthest;
+  double farthest = 0.0;
   for (const ScenePart& part : query.scene.parts) {
-    const Farthest own = farthestModule(part, edges);
-    farthest = own.distance > farthest.distance ? own : farthest;
+    farthest = std::max(farthest, farthestModule(part, query.scene.sketch->lines));
   }
   item.detail = "beams lie " + model::numberText(mean, 2) +
                 " layers off their lines on average, nothing sticks out more than " +
-                model::numberText(farthest.distance, 1) + " modules";
-  item.figures = {{"meanLayer", mean}, {"greatestProtrusion", farthest.distance}};
+                model::numberText(farthest, 1) + " modules";
+  item.figures = {{"meanLayer", mean}, {"greatestProtrusion", farthest}};
   return item;
 }
 

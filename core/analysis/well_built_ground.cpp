@@ -204,7 +204,7 @@ class GroundJudge {
     int below = 0;
     for (std::size_t i = 0; i < query_.scene.parts.size(); ++i) {
       const int part = static_cast<int>(i);
-      if (query_.scene.parts[i].shapes.empty() ||
+      if (query_.scene.parts[i].box.min.z > floor_ || query_.scene.parts[i].shapes.empty() ||
           lowestPoint(query_.scene, {part}) > floor_ - kTouch) {
         continue;
       }

@@ -112,6 +112,8 @@ bool isJoint(const Scene& scene, const Link& link) {
 
 //! What moves in each freedom that no joint accounts for.
 void tellMotions(const WellBuiltQuery& query, WellBuiltItem& item) {
+  constexpr int kMostMotions = 20;  // each names all that moves
+  int told = 0;
   for (const FreeMotion& motion : query.motion.free.motions) {
     Problem place{"freedom", "", std::nullopt, {}};
     for (std::size_t i = 0; motion.joint < 0 && i < motion.twists.size(); ++i) {
@@ -120,7 +122,7 @@ void tellMotions(const WellBuiltQuery& query, WellBuiltItem& item) {
         place.parts.push_back(static_cast<int>(i));
       }
     }
-    if (!place.parts.empty()) {
+    if (!place.parts.empty() && told++ < kMostMotions) {
       place.message = nameOf(query.scene, place.parts.front()) + " and what hangs on it, " +
                       std::to_string(place.parts.size()) +
                       " parts in all, move where no joint lets them";
