@@ -111,6 +111,7 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
   report.motion = analyseMotion(scene, coverage);
   add(report, "joints", "Every joint turns", checkJoints(scene, report.motion));
   report.buildable = report.problems.empty();
+  report.wellBuilt = judgeWellBuilt({scene, coverage, report.motion});
 
   countParts(scene, report.counts);
   report.counts.gaps = countGaps(scene, coverage);

@@ -5,6 +5,7 @@
 
 #include "analysis/findings.h"
 #include "analysis/motion.h"
+#include "analysis/well_built.h"
 #include "model/model.h"
 
 namespace liftarm::analysis {
@@ -36,7 +37,8 @@ struct CheckReport {
   std::vector<CheckItem> items;
   std::vector<Problem> problems;  //!< item by item
   CheckCounts counts;
-  MotionReport motion;  //!< how it stands and moves; item 7 is judged by it
+  MotionReport motion;                   //!< how it stands and moves; item 7 is judged by it
+  std::vector<WellBuiltItem> wellBuilt;  //!< DESIGN 5b; no part of `buildable`
 };
 
 //! \brief Judges a model by DESIGN 5, items 1 to 7.

@@ -79,6 +79,16 @@ std::string itemsText(const ordered_json& items) {
   return text;
 }
 
+std::string wellBuiltText(const ordered_json& items) {
+  std::string text;
+  for (const ordered_json& item : items) {
+    const char* mark = item.value("ok", false) ? "yes" : "NO ";
+    text += std::string("    ") + mark + "  " + item.value("title", "") + ": " +
+            item.value("detail", "") + "\n";
+  }
+  return text;
+}
+
 std::string problemsText(const ordered_json& problems) {
   std::string text;
   for (std::size_t i = 0; i < problems.size(); ++i) {
@@ -113,6 +123,11 @@ std::string reportText(const ordered_json& report) {
   }
   if (report.contains("items")) {
     text += itemsText(report.at("items"));
+  }
+  if (report.contains("wellBuilt")) {
+    const ordered_json& wellBuilt = report.at("wellBuilt");
+    text += "  well built: " + wellBuilt.at("passed").dump() + " of " + wellBuilt.at("of").dump() +
+            "\n" + wellBuiltText(wellBuilt.at("items"));
   }
   if (report.contains("stress")) {
     text += stressText(report.at("stress"));

@@ -4,6 +4,7 @@
 #include "design/design_session.h"
 #include "design/json_values.h"
 #include "design/motion_json.h"
+#include "design/well_built_json.h"
 #include "model/model_json.h"
 
 namespace liftarm::design {
@@ -48,6 +49,7 @@ ordered_json reportJson(const std::string& name, const analysis::CheckReport& re
           {"mass", rounded(counts.mass)},
           {"size", pointJson(counts.size)},
           {"items", items},
+          {"wellBuilt", wellBuiltJson(report.wellBuilt)},
           {"problems", problems}};
 }
 

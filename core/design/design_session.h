@@ -44,7 +44,9 @@ class DesignSession {
 };
 
 //! \brief Every check on a model file (DESIGN 5): {"buildable": bool, "items": [{"id", "title",
-//! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], ...}.
+//! "ok", "detail"}], "problems": [{"kind", "message", "at": [x,y,z], "parts": [..]}], "wellBuilt":
+//! {"passed", "of", "items": [{"id", "title", "ok", "applies", "detail", "figures", "places"}]},
+//! ...}; `wellBuilt` is DESIGN 5b.
 base::Result<std::string> checkModelJson(std::string_view modelJson);
 
 //! \brief How a model is put together (DESIGN 5.6 reversed), as JSON: {"assemblable": bool,

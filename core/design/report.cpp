@@ -8,6 +8,7 @@
 #include "design/json_values.h"
 #include "design/measures.h"
 #include "design/owned_parts.h"
+#include "design/well_built_json.h"
 #include "guide/beam_bound.h"
 #include "layout/components.h"
 #include "objective/symmetry_measure.h"
@@ -164,6 +165,7 @@ std::string makeReport(const ReportInput& input) {
       {"buildable",
        check.buildable && tallies.violations() == 0 && missing.empty() && !best.covers.empty()},
       {"items", itemsJson(check)},
+      {"wellBuilt", wellBuiltJson(check.wellBuilt)},
       {"problems", problems},
       {"objective", rounded(best.energy)},
       {"terms", terms},

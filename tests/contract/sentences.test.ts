@@ -144,11 +144,13 @@ describe('the German of the core', () => {
       const check = JSON.parse(text) as {
         items: { title: string; detail: string }[];
         problems: { message: string }[];
+        wellBuilt: { items: { title: string; detail: string; places: { message: string }[] }[] };
       };
-      for (const { title, detail } of check.items) {
+      for (const { title, detail } of [...check.items, ...check.wellBuilt.items]) {
         said.add(title).add(detail);
       }
-      for (const { message } of check.problems) {
+      const places = check.wellBuilt.items.flatMap((item) => item.places);
+      for (const { message } of [...check.problems, ...places]) {
         said.add(message);
       }
     };

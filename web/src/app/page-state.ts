@@ -204,6 +204,7 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
     report: report ?? {},
     items: check?.items ?? [],
     problems: check?.problems.length ? check.problems : (report?.problems ?? []),
+    wellBuilt: check?.wellBuilt ?? null,
     buildable: check ? check.buildable : (report?.buildable ?? false),
     rows: countParts(model).map(
       (row): PartRow => ({

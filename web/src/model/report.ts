@@ -73,9 +73,26 @@ export interface CheckItem {
   readonly detail: string;
 }
 
+/** One item of what a builder expects beyond that (DESIGN 5b). */
+export interface WellBuiltItem extends CheckItem {
+  /** False where the drawing asks for nothing of the kind; then `ok` holds. */
+  readonly applies: boolean;
+  readonly figures: Readonly<Record<string, number>>;
+  /** Where it falls short. */
+  readonly places: readonly Problem[];
+}
+
+/** How well a model is built. */
+export interface WellBuilt {
+  readonly passed: number;
+  readonly of: number;
+  readonly items: readonly WellBuiltItem[];
+}
+
 /** What the check of a model file answers. */
 export interface CheckReport {
   readonly buildable: boolean;
   readonly items: readonly CheckItem[];
   readonly problems: readonly Problem[];
+  readonly wellBuilt: WellBuilt;
 }

@@ -4,7 +4,7 @@ import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { Model } from '../model/model.ts';
-import type { CheckItem, CheckReport, Problem, Report } from '../model/report.ts';
+import type { CheckItem, CheckReport, Problem, Report, WellBuilt } from '../model/report.ts';
 import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LibraryEntry } from '../state/library.ts';
@@ -67,6 +67,8 @@ export interface ResultState {
   readonly report: Report;
   readonly items: readonly CheckItem[];
   readonly problems: readonly Problem[];
+  /** Null while the search is under way. */
+  readonly wellBuilt: WellBuilt | null;
   readonly buildable: boolean;
   readonly rows: readonly PartRow[];
   readonly bricks: number;

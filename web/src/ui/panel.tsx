@@ -1,6 +1,7 @@
 import { shortages } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { ChecksSection } from './checks/checks-section.tsx';
+import { WellBuiltSection } from './checks/well-built-section.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { LayoutList } from './layout-list.tsx';
@@ -36,6 +37,7 @@ export function Panel() {
         <ResultSection />
         {shown?.final ? <Downloads /> : null}
         {shown?.final ? <ChecksSection result={shown} /> : null}
+        {shown?.final && shown.wellBuilt ? <WellBuiltSection built={shown.wellBuilt} /> : null}
         {shown?.final ? <Parts result={shown} /> : null}
         <SearchChart />
         <SymmetrySection />

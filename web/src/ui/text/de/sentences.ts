@@ -1,4 +1,5 @@
 import type { Sentences } from '../sentences.ts';
+import { BUILT_DE } from './sentences-built.ts';
 import { CHECKED_DE } from './sentences-checked.ts';
 import { READ_DE } from './sentences-read.ts';
 
@@ -113,4 +114,11 @@ export const PHRASES_DE: Sentences = [
  * What the core and the readers of files say, in German. Where two forms fit, the first is taken: the longer
  * one stands above.
  */
-export const SENTENCES_DE: Sentences = [...READ_DE, ...CHECKED_DE, ...FILES, ...LINKS, ...INSIDE];
+export const SENTENCES_DE: Sentences = [
+  ...READ_DE,
+  ...CHECKED_DE,
+  ...BUILT_DE,
+  ...FILES,
+  ...LINKS,
+  ...INSIDE,
+];

@@ -1,0 +1,334 @@
+#include "analysis/well_built.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "core/helpers/models.h"
+
+namespace liftarm::analysis {
+namespace {
+
+using lattice::Vec3;
+using model::Model;
+using testing::beamAt;
+using testing::pinAt;
+
+constexpr Vec3 kX{1, 0, 0};
+constexpr Vec3 kY{0, 1, 0};
+constexpr Vec3 kZ{0, 0, 1};
+
+std::vector<WellBuiltItem> judge(const Model& model) {
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+  const std::vector<EdgeCover> coverage = findCoverage(scene);
+  const MotionReport motion = analyseMotion(scene, coverage);
+  return judgeWellBuilt({scene, coverage, motion});
+}
+
+WellBuiltItem itemOf(const Model& model, const std::string& id) {
+  for (const WellBuiltItem& item : judge(model)) {
+    if (item.id == id) {
+      return item;
+    }
+  }
+  ADD_FAILURE() << "no item " << id;
+  return {};
+}
+
+double figureOf(const WellBuiltItem& item, const std::string& name) {
+  for (const Figure& figure : item.figures) {
+    if (figure.name == name) {
+      return figure.value;
+    }
+  }
+  ADD_FAILURE() << item.id << " has no figure " << name;
+  return -1;
+}
+
+double figure(const Model& model, const std::string& id, const std::string& name) {
+  return figureOf(itemOf(model, id), name);
+}
+
+bool lights(const WellBuiltItem& item, const std::string& kind, int part) {
+  return std::any_of(item.places.begin(), item.places.end(), [&](const Problem& place) {
+    return place.kind == kind && std::count(place.parts.begin(), place.parts.end(), part) > 0;
+  });
+}
+
+//! A square frame with one more part.
+Model squareWith(const model::PlacedPart& part) {
+  Model model = testing::squareFrame();
+  model.parts.push_back(part);
+  return model;
+}
+
+constexpr int kAdded = 8;  // its index
+
+TEST(WellBuilt, OneBeamOnItsLineFulfilsAllSix) {
+  Model model;
+  model.parts = {beamAt("40490", {4, 0, 0}, kX, kZ)};
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}});
+  for (const WellBuiltItem& item : judge(model)) {
+    EXPECT_TRUE(item.ok) << item.id << ": " << item.detail;
+  }
+}
+
+TEST(WellBuilt, ItemsComeInTheOrderOfTheDesign) {
+  std::string ids;
+  for (const WellBuiltItem& item : judge(testing::squareFrame())) {
+    ids += item.id + " ";
+  }
+  EXPECT_EQ(ids, "faithful stands stiff clean symmetric few ");
+}
+
+TEST(WellBuilt, WithoutASketchOnlyThePartsAreJudged) {
+  for (const WellBuiltItem& item : judge(testing::cornerOfTwoBeams())) {
+    const bool needsNone = item.id == "stiff" || item.id == "clean" || item.id == "few";
+    EXPECT_EQ(item.applies, needsNone) << item.id;
+    EXPECT_TRUE(item.applies || item.ok) << item.id;
+  }
+}
+
+// Clean.
+
+TEST(WellBuiltClean, HeadsInHolesAreNotNaked) {
+  EXPECT_EQ(figure(testing::squareFrame(), "clean", "nakedHeads"), 0);
+  EXPECT_EQ(figure(testing::squareFrame(), "clean", "pinHeads"), 8);
+}
+
+TEST(WellBuiltClean, PinThatSticksOutIsFound) {
+  const WellBuiltItem item = itemOf(squareWith(pinAt("2780", {4, 0, 0.5}, kZ)), "clean");
+  EXPECT_EQ(figureOf(item, "nakedPinHeads"), 1);
+  EXPECT_TRUE(lights(item, "nakedHead", kAdded));
+  EXPECT_FALSE(item.ok);
+}
+
+TEST(WellBuiltClean, ThreeModulePinForTwoBeamsHasANakedHead) {
+  Model model = testing::squareFrame();
+  model.parts[4] = pinAt("6558", {0, 0, 1}, kZ);
+  EXPECT_EQ(figure(model, "clean", "nakedPinHeads"), 1);
+}
+
+TEST(WellBuiltClean, HeadOfAConnectorBesideARemovedBeamIsNaked) {
+  Model model = testing::cornerOfTwoBeams();
+  const double before = figure(model, "clean", "nakedPinHeads");
+  model.parts.pop_back();
+  EXPECT_EQ(figure(model, "clean", "nakedPinHeads"), before + 2);
+}
+
+TEST(WellBuiltClean, ConnectorArmThatHoldsNothingIsToldApart) {
+  Model model = testing::bridgedLine();
+  const WellBuiltItem whole = itemOf(model, "clean");
+  EXPECT_EQ(figureOf(whole, "arms"), 2);
+  EXPECT_EQ(figureOf(whole, "idleArms"), 0);
+  model.parts.pop_back();
+  EXPECT_EQ(figure(model, "clean", "idleArms"), 1);
+}
+
+TEST(WellBuiltClean, AxleHasTwoEndsAndNoHeadsBetween) {
+  const WellBuiltItem item = itemOf(testing::frameOfAxles(), "clean");
+  EXPECT_EQ(figureOf(item, "axleEnds"), 4);
+  EXPECT_EQ(figureOf(item, "nakedAxleEnds"), 0);
+}
+
+TEST(WellBuiltClean, AxleEndThatHoldsNothingIsFound) {
+  EXPECT_EQ(figure(testing::squareWithAxle(), "clean", "nakedAxleEnds"), 1);
+}
+
+TEST(WellBuiltClean, AFewHeadsInAHundredAreForgiven) {
+  Model model;
+  for (int i = 0; i < 10; ++i) {
+    for (model::PlacedPart part : testing::squareFrame().parts) {
+      part.pose.position = part.pose.position + Vec3{0, 20.0 * i, 0};
+      model.parts.push_back(part);
+    }
+  }
+  model.parts.push_back(pinAt("2780", {4, 0, 0.5}, kZ));
+  EXPECT_TRUE(itemOf(model, "clean").ok);
+}
+
+// Stiff.
+
+TEST(WellBuiltStiff, SquareOnFourPinsFoldsButNoBeamHangsOnOneLine) {
+  const WellBuiltItem item = itemOf(testing::squareFrame(), "stiff");
+  EXPECT_EQ(figureOf(item, "freedomsBeyondJoints"), 1);
+  EXPECT_EQ(figureOf(item, "beamsOnOneAxis"), 0);
+  EXPECT_TRUE(lights(item, "freedom", 2) || lights(item, "freedom", 0));
+  EXPECT_FALSE(item.ok);
+}
+
+TEST(WellBuiltStiff, BeamsOfARemovedPinTurnAboutOneLine) {
+  Model model = testing::squareFrame();
+  model.parts.erase(model.parts.begin() + 4);  // at (0, 0)
+  const WellBuiltItem item = itemOf(model, "stiff");
+  EXPECT_EQ(figureOf(item, "beamsOnOneAxis"), 2);
+  EXPECT_TRUE(lights(item, "oneAxis", 0));
+  EXPECT_TRUE(lights(item, "oneAxis", 2));
+}
+
+TEST(WellBuiltStiff, PinThatHoldsASpacerOnlyHoldsNoBeam) {
+  Model model = testing::squareFrame();
+  model.parts.erase(model.parts.begin() + 4);
+  model.parts.push_back(pinAt("2780", {4, 0, 0.5}, kZ));
+  model.parts.push_back(beamAt("18654", {4, 0, 1}, kX, kZ));
+  EXPECT_EQ(figure(model, "stiff", "beamsOnOneAxis"), 2);
+}
+
+TEST(WellBuiltStiff, JointOfTheSketchMayTurn) {
+  Model model;
+  model.parts = {beamAt("40490", {4, 0, 0}, kX, kZ),
+                 beamAt("40490", {0, 4, 1}, kY, kZ),
+                 pinAt("3673", {0, 0, 0.5}, kZ)};
+  const std::vector<std::pair<Vec3, Vec3>> lines{{{0, 0, 0}, {8, 0, 0}}, {{0, 0, 0}, {0, 8, 0}}};
+  model.sketchJson = testing::sketchOf(lines);
+  EXPECT_EQ(figure(model, "stiff", "beamsOnOneAxis"), 2);
+  model.sketchJson = testing::sketchOf(lines, R"(,"joints":[{"at":[0,0,0],"axis":[0,0,1]}])");
+  const WellBuiltItem item = itemOf(model, "stiff");
+  EXPECT_EQ(figureOf(item, "beamsOnOneAxis"), 0);
+  EXPECT_TRUE(item.ok);
+}
+
+TEST(WellBuiltStiff, BeamOnAnAxleThatTurnsHangsOnItsLine) {
+  Model model = testing::squareWithAxle();
+  // The 2-hole beam keeps its axle, which turns in the beam below; its pin goes.
+  model.parts.erase(model.parts.begin() + 9);
+  model.parts[9] = pinAt("4519", {0, 3, 2}, kZ);
+  model.parts.pop_back();
+  EXPECT_TRUE(lights(itemOf(model, "stiff"), "oneAxis", kAdded));
+}
+
+// Stands.
+
+TEST(WellBuiltStands, SquareOnTheFloorStands) {
+  const WellBuiltItem item = itemOf(testing::squareFrame(), "stands");
+  EXPECT_TRUE(item.applies);
+  EXPECT_TRUE(item.ok) << item.detail;
+  EXPECT_EQ(figureOf(item, "feet"), 4);
+}
+
+TEST(WellBuiltStands, PinBelowTheBaseIsFound) {
+  const WellBuiltItem item = itemOf(squareWith(pinAt("2780", {4, 0, -0.5}, kZ)), "stands");
+  EXPECT_EQ(figureOf(item, "belowBase"), 1);
+  EXPECT_TRUE(lights(item, "belowBase", kAdded));
+  EXPECT_FALSE(item.ok);
+}
+
+TEST(WellBuiltStands, LoweredFootLeavesTheOthersInTheAir) {
+  Model model = testing::squareFrame();
+  model.parts[0] = beamAt("40490", {4, 0, -2}, kX, kZ);
+  const WellBuiltItem item = itemOf(model, "stands");
+  EXPECT_EQ(figureOf(item, "liftedFeet"), 2);
+  EXPECT_TRUE(lights(item, "liftedFoot", 1));
+  EXPECT_EQ(figureOf(item, "belowBase"), 0);
+}
+
+TEST(WellBuiltStands, ModelThatFallsOverWhereTheDrawingStandsIsFound) {
+  Model model;
+  model.parts = {beamAt("40490", {4, 0, 0}, kX, kZ),
+                 beamAt("32278", {14, 0, 1}, kX, kZ),
+                 pinAt("2780", {8, 0, 0.5}, kZ),
+                 pinAt("2780", {7, 0, 0.5}, kZ)};
+  model.sketchJson = testing::squareFrame().sketchJson;
+  const WellBuiltItem item = itemOf(model, "stands");
+  EXPECT_EQ(figureOf(item, "couldStand"), 1);
+  EXPECT_EQ(figureOf(item, "fallsOver"), 1);
+  EXPECT_FALSE(item.ok);
+}
+
+TEST(WellBuiltStands, DrawingThatStandsOnAPointAsksForNothing) {
+  Model model;
+  model.parts = {beamAt("40490", {0, 0, 4}, kZ, kY)};
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {0, 0, 8}}});
+  EXPECT_FALSE(itemOf(model, "stands").applies);
+}
+
+TEST(WellBuiltStands, UprightFrameHasAFlatBaseButCannotStand) {
+  Model model = testing::pythagoreanTriangle();
+  const WellBuiltItem item = itemOf(model, "stands");
+  EXPECT_EQ(figureOf(item, "flatBase"), 1);
+  EXPECT_EQ(figureOf(item, "couldStand"), 0);
+}
+
+// Faithful.
+
+TEST(WellBuiltFaithful, MeanLayerIsWeightedByLength) {
+  EXPECT_NEAR(figure(testing::squareFrame(), "faithful", "meanLayer"), 0.5, 1e-9);
+}
+
+TEST(WellBuiltFaithful, BeamFarOffItsLineIsFound) {
+  Model model = testing::squareFrame();
+  model.parts[3].pose.position.z = 3;
+  const WellBuiltItem item = itemOf(model, "faithful");
+  EXPECT_NEAR(figureOf(item, "meanLayer"), 1.0, 1e-9);
+  EXPECT_NEAR(figureOf(item, "greatestProtrusion"), 3.0, 1e-9);
+  EXPECT_TRUE(lights(item, "farOff", 3));
+}
+
+TEST(WellBuiltFaithful, OverhangSticksOut) {
+  Model model = testing::squareFrame();
+  model.parts[0] = beamAt("32525", {5, 0, 0}, kX, kZ);
+  EXPECT_NEAR(figure(model, "faithful", "greatestProtrusion"), 2.0, 1e-9);
+}
+
+// Symmetric.
+
+TEST(WellBuiltSymmetric, SquareFrameHasItsMirrors) {
+  const WellBuiltItem item = itemOf(testing::squareFrame(), "symmetric");
+  EXPECT_EQ(figureOf(item, "mirroredBeams"), 4);
+  EXPECT_EQ(figureOf(item, "symmetriesKept"), 2);  // not those along the diagonals
+  EXPECT_TRUE(item.ok);
+}
+
+TEST(WellBuiltSymmetric, ShiftedBeamHasNoImage) {
+  Model model = testing::squareFrame();
+  model.parts[3].pose.position.y += 1;
+  const WellBuiltItem item = itemOf(model, "symmetric");
+  EXPECT_EQ(figureOf(item, "mirroredBeams"), 3);
+  EXPECT_TRUE(lights(item, "lopsided", 3));
+  EXPECT_FALSE(item.ok);
+}
+
+TEST(WellBuiltSymmetric, LopsidedDrawingAsksForNothing) {
+  Model model = testing::squareFrame();
+  model.sketchJson =
+      testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{8, 0, 0}, {8, 5, 0}}, {{8, 0, 0}, {8, 0, 3}}});
+  EXPECT_FALSE(itemOf(model, "symmetric").applies);
+}
+
+TEST(WellBuiltSymmetric, WithoutAMirrorRotationsCount) {
+  // An S: it turns, but its only mirror is its own plane.
+  Model model;
+  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {4, 0, 0}},
+                                        {{4, 0, 0}, {4, 2, 0}},
+                                        {{0, 0, 0}, {-4, 0, 0}},
+                                        {{-4, 0, 0}, {-4, -2, 0}}});
+  model.parts = {beamAt("32316", {2, 0, 0}, kX, kZ), beamAt("32316", {-2, 0, 0}, kX, kZ)};
+  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 2);
+  model.parts.pop_back();
+  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 0);
+}
+
+// Few.
+
+TEST(WellBuiltFew, CountsPartsAndKinds) {
+  const WellBuiltItem item = itemOf(testing::squareFrame(), "few");
+  EXPECT_EQ(figureOf(item, "parts"), 8);
+  EXPECT_EQ(figureOf(item, "kinds"), 2);
+  EXPECT_TRUE(item.ok);
+}
+
+TEST(WellBuiltFew, PinInOneBeamAloneIsOfNoUse) {
+  const WellBuiltItem item = itemOf(squareWith(pinAt("2780", {4, 0, 0.5}, kZ)), "few");
+  EXPECT_EQ(figureOf(item, "idleParts"), 1);
+  EXPECT_TRUE(lights(item, "idle", kAdded));
+}
+
+TEST(WellBuiltFew, BeamThatStandsForNoLineAndJoinsNothingIsOfNoUse) {
+  EXPECT_TRUE(
+      lights(itemOf(squareWith(beamAt("32316", {4, 4, 5}, kX, kZ)), "few"), "idle", kAdded));
+}
+
+}  // namespace
+}  // namespace liftarm::analysis

@@ -1,0 +1,18 @@
+export const BUILT_EN = {
+  title: 'Well built',
+  passed: (n: string, of: string) => `${n} of ${of}`,
+  about: 'What a builder would expect beyond a model that can be built.',
+  layers: (n: string) => `${n} layers off`,
+  falls: 'falls over',
+  below: (n: string) => `${n} too low`,
+  lifted: (n: string) => `${n} feet in the air`,
+  loose: (n: string) => `${n} free to move`,
+  turning: (n: string) => `${n} on one axis`,
+  naked: (n: string, of: string) => `${n} of ${of} in nothing`,
+  mirrored: (n: string, of: string) => `${n} of ${of} beams`,
+  parts: (n: string, kinds: string) => `${n} parts, ${kinds} kinds`,
+  good: 'good',
+  notAsked: 'not asked for',
+  more: (n: string) => `${n} more`,
+  nowhere: 'Nothing to point at.',
+};
