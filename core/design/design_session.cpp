@@ -16,6 +16,7 @@
 #include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
+#include "sketch/sketch_notes.h"
 
 namespace liftarm::design {
 
@@ -65,8 +66,9 @@ std::unique_ptr<search::LayoutSearch> makeSearch(const layout::LayoutProblem& pr
 
 class Session final : public DesignSession {
  public:
-  Session(sketch::Sketch sketch, Settings settings)
-      : sketch_(std::move(sketch)),
+  Session(sketch::Reading reading, Settings settings)
+      : notes_(sketch::notesOn(reading)),
+        sketch_(std::move(reading.sketch)),
         settings_(std::move(settings)),
         table_(makeTable(settings_)),
         solver_(table_),
@@ -102,7 +104,7 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport({problem_, settings_, table_, *search_, sketch_, model()});
+    return makeReport({problem_, settings_, table_, *search_, sketch_, notes_, model()});
   }
 
  private:
@@ -137,6 +139,7 @@ class Session final : public DesignSession {
     return terms;
   }
 
+  std::vector<sketch::Note> notes_;
   sketch::Sketch sketch_;
   Settings settings_;
   mechanisms::MechanismTable table_;
@@ -151,7 +154,7 @@ class Session final : public DesignSession {
 
 base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_view sketchJson,
                                                                    std::string_view settingsJson) {
-  base::Result<sketch::Sketch> sketch = sketch::readSketch(sketchJson);
+  base::Result<sketch::Reading> sketch = sketch::readDrawing(sketchJson);
   if (!sketch.ok()) {
     return sketch.error();
   }
