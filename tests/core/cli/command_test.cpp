@@ -41,6 +41,19 @@ TEST_F(Command, TheSameSeedWritesTheSameBytes) {
   EXPECT_EQ(read("a.model.json"), first);
 }
 
+// 12-12-17 is 0.03 modules off closing: within the play of the pins, and no beam is the worse for
+// it.
+TEST_F(Command, LengthsThatDoNotQuiteCloseAreBuiltAndSaid) {
+  const std::string sketch =
+      write("Slope.json",
+            testing::sketchOf(
+                {{{0, 0, 0}, {12, 0, 0}}, {{12, 0, 0}, {12, 0, 12}}, {{0, 0, 0}, {12, 0, 12}}}));
+  const Outcome solved = run("solve '" + sketch + "' -o '" + folder_.string() + "'");
+  EXPECT_EQ(solved.exitCode, 0) << solved.out;
+  EXPECT_NE(solved.out.find("its length of 17 does not close"), std::string::npos) << solved.out;
+  EXPECT_EQ(run("check '" + (folder_ / "Slope.model.json").string() + "'").exitCode, 0);
+}
+
 TEST_F(Command, CheckOfABadModelExitsWithTwo) {
   model::Model model = testing::squareFrame();
   model.parts.pop_back();

@@ -25,6 +25,10 @@ const FILES: Sentences = [
     '{file}: Untermodelle liegen mehr als {n}-fach ineinander',
   ],
   ['part {part} is not in the catalogue', 'Teil {part} ist nicht im Katalog'],
+  [
+    'more than {n} rows with all submodels in place, which is the limit',
+    'mehr als {n} Zeilen mit allen Untermodellen am Platz; das ist die Grenze',
+  ],
   ['more than {n} parts, which is the limit', 'mehr als {n} Teile; das ist die Grenze'],
   ['more than {n} lines, which is the limit', 'mehr als {n} Linien; das ist die Grenze'],
   [
