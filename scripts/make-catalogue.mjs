@@ -4,12 +4,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import {
-  ABS_DENSITY,
-  AXLE_GRAMS_PER_MODULE,
-  PARTS,
-  STRAIGHT_BEAM_DENSITY,
-} from './lib/part-choices.mjs';
+import { ABS_DENSITY, AXLE_DENSITY, PARTS, STRAIGHT_BEAM_DENSITY } from './lib/part-choices.mjs';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
 const factsPath = join(root, '../shared/parts/technic_parts.json');
@@ -149,14 +144,16 @@ function solidOf(choice, fact, thickness) {
   return [...tubes, ...(choice.body ?? []).map(prism)];
 }
 
+/** g/cm3 by class; axles are of denser plastics than most. */
+const DENSITIES = { axle: AXLE_DENSITY, beam: STRAIGHT_BEAM_DENSITY };
+
 function massOf(choice, fact) {
-  if (choice.mass) return { mass: choice.mass, massEstimated: Boolean(choice.massEstimated) };
+  if (choice.mass) {
+    const { mass, massEstimated, massSource } = choice;
+    return { mass, massEstimated: Boolean(massEstimated), ...(massSource && { massSource }) };
+  }
   const volume = (fact.volume ?? fact.volume_raw) * CUBIC_CM_PER_CUBIC_LDU;
-  const axle = fact.features.find((feature) => feature.kind === 'axle');
-  const mass =
-    choice.class === 'axle'
-      ? (axle.length / LDU_PER_MODULE) * AXLE_GRAMS_PER_MODULE
-      : volume * (choice.class === 'beam' ? STRAIGHT_BEAM_DENSITY : ABS_DENSITY);
+  const mass = volume * (DENSITIES[choice.class] ?? ABS_DENSITY);
   return { mass: Math.round(mass * 100) / 100, massEstimated: true };
 }
 

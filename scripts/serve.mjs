@@ -85,19 +85,29 @@ export async function serve({ port = DEFAULT_PORT, host = '127.0.0.1' } = {}) {
   return `http://${host === '0.0.0.0' ? 'localhost' : host}:${taken}/`;
 }
 
+/** @throws {StepError} for what is no port. */
+export function portOf(text) {
+  const port = /^\d{1,5}$/.test(text) ? Number(text) : Number.NaN;
+  if (!(port <= 65535)) {
+    throw new StepError(`--port ${text}: a whole number from 0 to 65535 is needed`);
+  }
+  return port;
+}
+
 /** Reads `--port` and `--host`. */
 export function serveOptions() {
   const { values } = parseArgs({
     options: { port: { type: 'string' }, host: { type: 'boolean', default: false } },
   });
   return {
-    port: Number(values.port ?? process.env.PORT ?? DEFAULT_PORT),
+    port: portOf(values.port ?? process.env.PORT ?? `${DEFAULT_PORT}`),
     host: values.host ? '0.0.0.0' : '127.0.0.1',
   };
 }
 
 if (process.argv[1] === import.meta.filename) {
-  serve(serveOptions())
+  Promise.resolve()
+    .then(() => serve(serveOptions()))
     .then((address) => console.log(`Liftarm is served at ${address}`))
     .catch(exitWith);
 }

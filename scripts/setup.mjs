@@ -23,6 +23,7 @@ const TEST_PACKAGES = [
   'fonts-dejavu-core',
   'calculix-ccx',
   'poppler-utils',
+  'admesh',
 ];
 const APT_OPTIONS = ['-qq', '-o', 'DPkg::Lock::Timeout=300', '-o', 'Acquire::Retries=3'];
 

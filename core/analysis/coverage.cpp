@@ -69,9 +69,11 @@ bool standsFor(const WorldStretch& stretch, const sketch::Line& line, double& la
 }
 
 void coverEdges(const WorldStretch& stretch, const sketch::Line& line, EdgeCover* edges) {
+  // Not quite a unit where a line's length does not close with its neighbours' (sketch.residual).
   const Vec3 direction = (1.0 / line.length) * (line.to - line.from);
   const Vec3 along = stretch.to - stretch.from;
-  if (std::abs(lattice::dot(direction, along)) < kParallelCosine * lattice::length(along)) {
+  if (std::abs(lattice::dot(direction, along)) <
+      kParallelCosine * lattice::length(direction) * lattice::length(along)) {
     return;
   }
   const Vec3 offset = stretch.from - line.from;

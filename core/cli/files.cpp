@@ -42,16 +42,6 @@ base::Result<std::string> readFile(const std::string& path, std::size_t maxBytes
   return text;
 }
 
-base::Result<std::string> writeFile(const std::string& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file << content;
-  file.close();
-  if (!file) {
-    return failed(path + ": cannot be written");
-  }
-  return path;
-}
-
 base::Result<std::string> makeFolder(const std::string& path) {
   std::error_code error;
   fs::create_directories(path, error);

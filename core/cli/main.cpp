@@ -1,5 +1,7 @@
 // The command `liftarm` (DESIGN 4).
 
+#include <new>
+#include <sstream>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +16,8 @@ constexpr int kMostSeeds = 10000;
 constexpr int kMostThreads = 256;
 constexpr const char* kAbout =
     "Liftarm turns a 3D line sketch into a Technic model that can be built.\n"
-    "Exit codes: 0 buildable, 1 input refused (one line on standard error), 2 not buildable.\n"
+    "Exit codes: 0 buildable, 1 input refused (one line on standard error), 2 not buildable,\n"
+    "3 the machine could not do it, as when the disk is full (one line on standard error).\n"
     "LEGO is a trademark of the LEGO Group, which does not sponsor or endorse this.";
 
 void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
@@ -49,9 +52,7 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   solve->add_flag("--json", options.json, "Print the report as one JSON object");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app(kAbout, "liftarm");
   // Help of the whole command shows the options of its verbs too.
   app.set_help_flag();
@@ -76,7 +77,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
-    return app.exit(asked);  // --help
+    std::ostringstream help;
+    const int code = app.exit(asked, help);  // --help
+    return liftarm::cli::print(help.str())
+               ? code
+               : static_cast<int>(liftarm::cli::fail("the help cannot be written"));
   } catch (const CLI::ParseError& error) {
     return static_cast<int>(
         liftarm::cli::refuse(std::string(error.what()) + "; liftarm --help tells all"));
@@ -86,4 +91,14 @@ int main(int argc, char** argv) {
   }
   return static_cast<int>(check->parsed() ? liftarm::cli::checkCommand(modelPath, checkJson)
                                           : liftarm::cli::solveCommand(options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return static_cast<int>(liftarm::cli::fail("not enough memory for this"));
+  }
 }

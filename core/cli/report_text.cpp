@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/plain_text.h"
 #include "cli/stress_text.h"
 
 namespace liftarm::cli {
@@ -35,7 +36,12 @@ constexpr std::array<Row, 13> kRows{{{"seed", "seed", ""},
                                      {"iterations", "iterations", ""}}};
 
 std::string textOf(const ordered_json& value) {
-  return value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_string() ? base::plainText(value.get<std::string>()) : value.dump();
+}
+
+//! A member that is a text, which may come from a file of others.
+std::string textAt(const ordered_json& object, const char* key) {
+  return base::plainText(object.value(key, ""));
 }
 
 //! How the model stands and moves: numbers in a search's report, objects in a check's.
@@ -52,7 +58,7 @@ std::string motionText(const ordered_json& report) {
     text += "\n";
   }
   for (const ordered_json& joint : report.value("joints", ordered_json::array())) {
-    text += "  joint " + joint.at("index").dump() + ": " + joint.value("message", "") + "\n";
+    text += "  joint " + joint.at("index").dump() + ": " + textAt(joint, "message") + "\n";
   }
   const bool judged = report.contains("balance") && report.at("balance").is_object();
   if (judged || report.contains("balanced")) {
@@ -73,8 +79,8 @@ std::string motionText(const ordered_json& report) {
 std::string itemsText(const ordered_json& items) {
   std::string text;
   for (const ordered_json& item : items) {
-    text += std::string(item.value("ok", false) ? "  ok    " : "  FAILS ") +
-            item.value("title", "") + " (" + item.value("detail", "") + ")\n";
+    text += std::string(item.value("ok", false) ? "  ok    " : "  FAILS ") + textAt(item, "title") +
+            " (" + textAt(item, "detail") + ")\n";
   }
   return text;
 }
@@ -95,16 +101,27 @@ std::string problemsText(const ordered_json& problems) {
     if (i == kMaxProblems) {
       return text + "  ... and " + std::to_string(problems.size() - i) + " more\n";
     }
-    text += "  " + problems[i].value("kind", "") + ": " + problems[i].value("message", "") + "\n";
+    text += "  " + textAt(problems[i], "kind") + ": " + textAt(problems[i], "message") + "\n";
   }
   return text;
+}
+
+//! A sketch of several pieces is built, and yet most likely not what was meant: said in the first
+//! line.
+std::string piecesText(const ordered_json& report) {
+  const int pieces = report.value("pieces", 1);
+  return pieces < 2 ? std::string() : ", " + std::to_string(pieces) + " separate pieces";
 }
 
 }  // namespace
 
 std::string reportText(const ordered_json& report) {
-  std::string text = report.value("name", "") +
-                     (report.value("buildable", false) ? ": buildable\n" : ": NOT buildable\n");
+  std::string text = textAt(report, "name") +
+                     (report.value("buildable", false) ? ": buildable" : ": NOT buildable") +
+                     piecesText(report) + "\n";
+  for (const ordered_json& note : report.value("notes", ordered_json::array())) {
+    text += "  NOTE: " + textAt(note, "message") + "\n";
+  }
   for (const Row& row : kRows) {
     if (report.contains(row.key)) {
       text += "  " + std::string(row.label) + ": " + textOf(report.at(row.key)) + row.unit + "\n";

@@ -1,12 +1,16 @@
 #include "cli/solve_command.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "base/plain_text.h"
 #include "cli/files.h"
 #include "cli/report_text.h"
 #include "cli/solve_seeds.h"
@@ -59,49 +63,90 @@ base::Result<Solution> solve(const std::string& sketch,
   return solveSeeds(sketch, settings, first, options.seeds, options.threads);
 }
 
-base::Result<std::string> writeResults(const SolveOptions& options, const std::string& modelJson) {
-  const std::string stem = options.folder + "/" + baseName(options.sketchPath);
-  base::Result<std::string> done = makeFolder(options.folder);
-  if (!done.ok()) {
-    return done;
-  }
-  done = writeFile(stem + ".model.json", modelJson);
-  for (const char* format : {"mpd", "parts.csv"}) {
-    if (!done.ok()) {
-      return done;
-    }
-    const base::Result<std::string> text = design::exportModel(modelJson, format);
-    if (!text.ok()) {
-      return text;
-    }
-    done = writeFile(stem + "." + format, text.value());
-  }
-  return done;
+constexpr const char* kModelEnding = ".model.json";
+//! What a model is written as beside itself.
+constexpr const char* kFormats[] = {"mpd", "parts.csv"};
+
+std::string stemOf(const SolveOptions& options) {
+  return options.folder + "/" + baseName(options.sketchPath);
 }
 
-void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
+//! The result that would be written over the sketch, if one would.
+std::optional<std::string> resultOverInput(const SolveOptions& options) {
+  std::vector<std::string> paths{stemOf(options) + kModelEnding};
+  for (const char* format : kFormats) {
+    paths.push_back(stemOf(options) + "." + format);
+  }
+  const auto found = std::find_if(paths.begin(), paths.end(), [&](const std::string& path) {
+    return isSameFile(path, options.sketchPath);
+  });
+  return found == paths.end() ? std::nullopt : std::optional(*found);
+}
+
+base::Result<std::size_t> writeResults(const SolveOptions& options, const std::string& modelJson) {
+  std::vector<FileText> files{{stemOf(options) + kModelEnding, modelJson}};
+  for (const char* format : kFormats) {
+    base::Result<std::string> text = design::exportModel(modelJson, format);
+    if (!text.ok()) {
+      return text.error();
+    }
+    files.push_back({stemOf(options) + "." + format, std::move(text).value()});
+  }
+  const base::Result<std::string> folder = makeFolder(options.folder);
+  return folder.ok() ? writeFiles(files) : base::Result<std::size_t>(folder.error());
+}
+
+//! One line of JSON in which no byte can steer a terminal.
+std::string jsonLine(const ordered_json& value) {
+  std::string line;
+  for (const char c : value.dump(-1, ' ', false, ordered_json::error_handler_t::replace)) {
+    line += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
+  }
+  // C1, as UTF-8: C2 80 to C2 9F. The lead byte stands for nothing else before those.
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto next = static_cast<unsigned char>(line[i + 1]);
+    if (static_cast<unsigned char>(line[i]) == 0xC2U && next < 0xA0U) {
+      constexpr const char* kDigits = "0123456789abcdef";
+      const std::string escape{'\\', 'u', '0', '0', kDigits[next >> 4U], kDigits[next & 0xFU]};
+      line.replace(i, 2, escape);
+    }
+  }
+  return line + "\n";
+}
+
+//! Prints what was found out. \return `otherwise`, unless it could not be told.
+ExitCode tell(const std::string& text, ExitCode otherwise) {
+  return print(text) ? otherwise : fail("the report cannot be written to standard output");
 }
 
 ExitCode printReport(ordered_json report, const std::string& path, bool json) {
   if (report.value("name", "").empty()) {
     report["name"] = baseName(path);
   }
-  print(json ? report.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n"
-             : reportText(report));
-  return report.value("buildable", false) ? ExitCode::kBuildable : ExitCode::kNotBuildable;
+  return tell(json ? jsonLine(report) : reportText(report),
+              report.value("buildable", false) ? ExitCode::kBuildable : ExitCode::kNotBuildable);
+}
+
+void complain(const std::string& message) {
+  const std::string line = base::plainText("liftarm: " + message) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
 }  // namespace
 
 ExitCode refuse(const std::string& message) {
-  std::string line;
-  for (const char c : "liftarm: " + message) {
-    line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  line += '\n';
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  complain(message);
   return ExitCode::kRefused;
+}
+
+ExitCode fail(const std::string& message) {
+  complain(message);
+  return ExitCode::kFailed;
+}
+
+bool print(const std::string& text) {
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() &&
+         std::fflush(stdout) == 0;
 }
 
 ExitCode solveCommand(const SolveOptions& options) {
@@ -113,15 +158,18 @@ ExitCode solveCommand(const SolveOptions& options) {
   if (!sketch.ok()) {
     return refuse(sketch.error().message);
   }
+  if (const std::optional<std::string> over = resultOverInput(options); over && !options.quiet) {
+    return refuse(*over + ": is the sketch itself; name another folder with -o");
+  }
   base::Result<Solution> solved = solve(sketch.value(), settings.value(), options);
   if (!solved.ok()) {
     return refuse(options.sketchPath + ": " + solved.error().message);
   }
   Solution solution = std::move(solved).value();
   if (!options.quiet) {
-    const base::Result<std::string> written = writeResults(options, solution.modelJson);
+    const base::Result<std::size_t> written = writeResults(options, solution.modelJson);
     if (!written.ok()) {
-      return refuse(written.error().message);
+      return fail(written.error().message);
     }
   }
   return printReport(std::move(solution.report), options.sketchPath, options.json);
@@ -151,9 +199,9 @@ ExitCode symmetriesCommand(const std::string& sketchPath, bool json) {
   if (!found.ok()) {
     return refuse(sketchPath + ": " + found.error().message);
   }
-  print(json ? found.value() + "\n"
-             : symmetriesText(ordered_json::parse(found.value(), nullptr, false)));
-  return ExitCode::kBuildable;
+  return tell(json ? found.value() + "\n"
+                   : symmetriesText(ordered_json::parse(found.value(), nullptr, false)),
+              ExitCode::kBuildable);
 }
 
 }  // namespace liftarm::cli

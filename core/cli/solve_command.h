@@ -7,7 +7,12 @@
 namespace liftarm::cli {
 
 //! What the command returns to the shell (DESIGN 4).
-enum class ExitCode : int { kBuildable = 0, kRefused = 1, kNotBuildable = 2 };
+enum class ExitCode : int {
+  kBuildable = 0,
+  kRefused = 1,
+  kNotBuildable = 2,
+  kFailed = 3,  //!< the machine could not do it: a full disk, no memory
+};
 
 //! \brief Options of `liftarm solve`, as given.
 struct SolveOptions {
@@ -35,5 +40,11 @@ ExitCode symmetriesCommand(const std::string& sketchPath, bool json);
 
 //! \brief Prints one line on standard error. \return kRefused, so that a caller can return it.
 ExitCode refuse(const std::string& message);
+
+//! \brief The same for what is not the input's fault. \return kFailed.
+ExitCode fail(const std::string& message);
+
+//! \brief Writes to standard output, to its end. \return False where not all of it arrived.
+bool print(const std::string& text);
 
 }  // namespace liftarm::cli

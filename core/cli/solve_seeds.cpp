@@ -5,8 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <memory>
+#include <new>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -39,6 +42,33 @@ double milliseconds(double seconds) {
 
 std::string textOf(const ordered_json& settings) {
   return settings.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+//! Runs the same work in up to so many threads, this one among them, until all have ended.
+void inThreads(int count, const std::function<void()>& work) {
+  std::atomic<bool> noMemory{false};
+  const auto guarded = [&] {
+    try {
+      work();
+    } catch (const std::bad_alloc&) {
+      noMemory = true;
+    }
+  };
+  std::vector<std::thread> helpers;
+  try {
+    for (int i = 1; i < count; ++i) {
+      helpers.emplace_back(guarded);
+    }
+  } catch (const std::system_error&) {
+    // The system gives no more threads; those that there are do the work.
+  }
+  guarded();
+  for (std::thread& helper : helpers) {
+    helper.join();
+  }
+  if (noMemory) {
+    throw std::bad_alloc();
+  }
 }
 
 }  // namespace
@@ -85,14 +115,7 @@ base::Result<Solution> solveSeeds(const std::string& sketchJson,
       results[i] = solveOnce(sketchJson, mine);
     }
   };
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < std::min(seeds, threads); ++i) {
-    helpers.emplace_back(work);
-  }
-  work();
-  for (std::thread& helper : helpers) {
-    helper.join();
-  }
+  inThreads(std::min(seeds, threads), work);
   ordered_json all = ordered_json::array();
   std::size_t best = 0;
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -16,6 +16,7 @@
 #include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
+#include "sketch/sketch_notes.h"
 
 namespace liftarm::design {
 
@@ -25,8 +26,9 @@ using nlohmann::json;
 
 class Session final : public DesignSession {
  public:
-  Session(sketch::Sketch sketch, Settings settings)
-      : sketch_(std::move(sketch)),
+  Session(sketch::Reading reading, Settings settings)
+      : notes_(sketch::notesOn(reading)),
+        sketch_(std::move(reading.sketch)),
         settings_(std::move(settings)),
         attempts_(sketch_, settings_),
         table_(attempts_.table()) {}
@@ -59,7 +61,8 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport({attempts_.problem(), settings_, table_, attempts_.search(), sketch_, model()});
+    return makeReport(
+        {attempts_.problem(), settings_, table_, attempts_.search(), sketch_, notes_, model()});
   }
 
  private:
@@ -94,6 +97,7 @@ class Session final : public DesignSession {
     return terms;
   }
 
+  std::vector<sketch::Note> notes_;
   sketch::Sketch sketch_;
   Settings settings_;
   Attempts attempts_;
@@ -106,7 +110,7 @@ class Session final : public DesignSession {
 
 base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_view sketchJson,
                                                                    std::string_view settingsJson) {
-  base::Result<sketch::Sketch> sketch = sketch::readSketch(sketchJson);
+  base::Result<sketch::Reading> sketch = sketch::readDrawing(sketchJson);
   if (!sketch.ok()) {
     return sketch.error();
   }

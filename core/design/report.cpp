@@ -30,6 +30,17 @@ json problemsJson(const analysis::CheckReport& check) {
   return problems;
 }
 
+json notesJson(const std::vector<sketch::Note>& notes) {
+  json all = json::array();
+  for (const sketch::Note& note : notes) {
+    all.push_back({{"kind", note.kind},
+                   {"message", note.message},
+                   {"at", pointJson(note.at)},
+                   {"lines", note.lines}});
+  }
+  return all;
+}
+
 //! Straight stretches for which no beams of the lengths in use fit.
 void addBareLines(const ReportInput& input, json* problems) {
   const search::LayoutSnapshot& best = input.search.best();
@@ -166,6 +177,7 @@ std::string makeReport(const ReportInput& input) {
        check.buildable && tallies.violations() == 0 && missing.empty() && !best.covers.empty()},
       {"items", itemsJson(check)},
       {"wellBuilt", wellBuiltJson(check.wellBuilt)},
+      {"notes", notesJson(input.notes)},
       {"problems", problems},
       {"objective", rounded(best.energy)},
       {"terms", terms},

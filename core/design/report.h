@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "design/settings.h"
 #include "layout/layout.h"
 #include "model/model.h"
 #include "search/layout_search.h"
 #include "sketch/sketch.h"
+#include "sketch/sketch_notes.h"
 
 namespace liftarm::design {
 
@@ -17,6 +19,7 @@ struct ReportInput {
   const mechanisms::MechanismTable& table;
   const search::LayoutSearch& search;
   const sketch::Sketch& sketch;
+  const std::vector<sketch::Note>& notes;
   model::Model model;
 };
 

@@ -10,6 +10,7 @@
 #include "design/part_lists.h"
 #include "layout/stack.h"
 #include "parts/catalogue.h"
+#include "sketch/json_text.h"
 
 namespace liftarm::design {
 
@@ -254,7 +255,12 @@ base::Result<Settings> readSettings(std::string_view text) {
     applyPreset(&settings);
     return settings;
   }
-  const json root = json::parse(text, nullptr, false);
+  // Bounded in depth, since messages show values and showing one is recursive.
+  const base::Result<json> parsed = sketch::parseJsonText(text, sketch::JsonLimits{});
+  if (!parsed.ok()) {
+    return invalid("settings: " + parsed.error().message);
+  }
+  const json& root = parsed.value();
   if (!root.is_object()) {
     return invalid("settings: a JSON object is needed, such as {\"seed\": 1}");
   }

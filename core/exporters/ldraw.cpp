@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/plain_text.h"
 #include "instructions/sequence.h"
 #include "model/number_text.h"
 
@@ -28,16 +29,27 @@ constexpr int kMaxDepth = 6;
 //! Z up to -Y up.
 const Mat3 kToLdraw{{1, 0, 0, 0, 0, -1, 0, 1, 0}};
 
-//! A text that is safe on one line of the file and as the name of a part of it.
+//! A text that is safe on one line of the file and as the name of a part of it: readers split rows
+//! at white space, and take any stretch of it for one.
 std::string oneLine(const std::string& text, const std::string& otherwise) {
   std::string result;
-  for (const char c : text) {
-    if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) {
+  for (const char c : base::plainText(text)) {
+    if (c != ' ' || (!result.empty() && result.back() != ' ')) {
       result += c;
     }
   }
-  const std::size_t first = result.find_first_not_of(' ');
-  return first == std::string::npos ? otherwise : result.substr(first);
+  if (!result.empty() && result.back() == ' ') {
+    result.pop_back();
+  }
+  return result.empty() ? otherwise : result;
+}
+
+//! A name as the title of a file. One in capitals could be taken for a command, as FILE or STEP.
+std::string titleOf(const std::string& name) {
+  const std::string first = name.substr(0, name.find(' '));
+  const bool lower =
+      std::any_of(first.begin(), first.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+  return lower ? name : "Model " + name;
 }
 
 std::string placeLine(int color, const Pose& pose, const std::string& file) {
@@ -74,7 +86,8 @@ class Document {
 
  private:
   static std::string header(const std::string& name) {
-    return "0 FILE " + name + ".ldr\n0 " + name + "\n0 Name: " + name + ".ldr\n0 BFC CERTIFY CCW\n";
+    return "0 FILE " + name + ".ldr\n0 " + titleOf(name) + "\n0 Name: " + name +
+           ".ldr\n0 BFC CERTIFY CCW\n";
   }
 
   [[nodiscard]] const model::PlacedPart& part(int index) const {

@@ -22,8 +22,8 @@ class AnnotationReader {
   bool read() { return readJoints() && readSymmetries() && readKeepOut() && readGround(); }
 
  private:
-  //! The member `key` as an array of at most kMaxAnnotations, or null when there is none.
-  bool annotations(std::string_view key, const json*& out) {
+  //! The member `key` as an array of at most so many, or null when there is none.
+  bool annotations(std::string_view key, std::size_t most, const json*& out) {
     const auto found = document_.find(std::string(key));
     out = found == document_.end() ? nullptr : &*found;
     if (out == nullptr) {
@@ -32,17 +32,17 @@ class AnnotationReader {
     if (!fields_.array(*out, key, "objects")) {
       return false;
     }
-    if (out->size() > kMaxAnnotations) {
-      return fields_.fail(key,
-                          std::to_string(out->size()) + " elements; at most " +
-                              std::to_string(kMaxAnnotations) + " are read");
+    if (out->size() > most) {
+      return fields_.fail(
+          key,
+          std::to_string(out->size()) + " elements; at most " + std::to_string(most) + " are read");
     }
     return true;
   }
 
   bool readJoints() {
     const json* joints = nullptr;
-    if (!annotations("joints", joints)) {
+    if (!annotations("joints", kMaxJoints, joints)) {
       return false;
     }
     for (std::size_t i = 0; joints != nullptr && i < joints->size(); ++i) {
@@ -97,7 +97,7 @@ class AnnotationReader {
 
   bool readSymmetries() {
     const json* symmetries = nullptr;
-    if (!annotations("symmetries", symmetries)) {
+    if (!annotations("symmetries", kMaxSymmetries, symmetries)) {
       return false;
     }
     for (std::size_t i = 0; symmetries != nullptr && i < symmetries->size(); ++i) {
@@ -201,7 +201,7 @@ class AnnotationReader {
 
   bool readKeepOut() {
     const json* boxes = nullptr;
-    if (!annotations("keepOut", boxes)) {
+    if (!annotations("keepOut", kMaxKeepOuts, boxes)) {
       return false;
     }
     for (std::size_t i = 0; boxes != nullptr && i < boxes->size(); ++i) {

@@ -63,21 +63,21 @@ struct CellRange {
   std::array<std::int64_t, 3> high{};
 };
 
-CellRange cellsAround(const Edge& edge) {
+CellRange cellsAround(const Edge& edge, double reach) {
   CellRange range;
   for (int axis = 0; axis < 3; ++axis) {
     const double a = edge.from[axis];
     const double b = edge.to[axis];
-    range.low[at(axis)] = cellOf(std::min(a, b) - kSamePoint);
-    range.high[at(axis)] = cellOf(std::max(a, b) + kSamePoint);
+    range.low[at(axis)] = cellOf(std::min(a, b) - reach);
+    range.high[at(axis)] = cellOf(std::max(a, b) + reach);
   }
   return range;
 }
 
-std::vector<CellEntry> sortIntoCells(const std::vector<Edge>& edges) {
+std::vector<CellEntry> sortIntoCells(const std::vector<Edge>& edges, double reach) {
   std::vector<CellEntry> entries;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const CellRange cells = cellsAround(edges[e]);
+    const CellRange cells = cellsAround(edges[e], reach);
     for (std::int64_t x = cells.low[0]; x <= cells.high[0]; ++x) {
       for (std::int64_t y = cells.low[1]; y <= cells.high[1]; ++y) {
         const std::uint64_t column =
@@ -99,26 +99,28 @@ double clampToUnit(double value) {
   return std::min(1.0, std::max(0.0, value));
 }
 
-//! Where parallel edges on one line overlap, the middle of what they share.
-std::optional<Vec3> overlapOf(const Edge& a, const Edge& b) {
+//! The points of two edges that are nearest to each other.
+struct Closest {
+  Vec3 a;
+  Vec3 b;
+  bool overlap = true;  //!< for edges on one line: they share more than an end
+};
+
+//! Of parallel edges, the middle of what lies beside each other, or their nearest ends.
+Closest closestOfParallels(const Edge& a, const Edge& b) {
   const Vec3 along = a.to - a.from;  // length 1
-  const Vec3 offset = b.from - a.from;
-  const Vec3 aside = offset - lattice::dot(offset, along) * along;
-  if (lattice::length(aside) > kSamePoint) {
-    return std::nullopt;
-  }
-  const double first = lattice::dot(offset, along);
+  const double first = lattice::dot(b.from - a.from, along);
   const double second = lattice::dot(b.to - a.from, along);
   const double low = std::max(0.0, std::min(first, second));
   const double high = std::min(1.0, std::max(first, second));
-  if (high - low <= kSamePoint) {
-    return std::nullopt;
-  }
-  return a.from + (0.5 * (low + high)) * along;
+  const double onA = high > low ? 0.5 * (low + high) : clampToUnit(0.5 * (low + high));
+  const Vec3 pointA = a.from + onA * along;
+  const Vec3 alongB = b.to - b.from;
+  const double onB = clampToUnit(lattice::dot(pointA - b.from, alongB));
+  return {pointA, b.from + onB * alongB, high - low > kSamePoint};
 }
 
-//! The point where two edges come within kSamePoint of each other.
-std::optional<Vec3> meetingPoint(const Edge& a, const Edge& b) {
+Closest closestPoints(const Edge& a, const Edge& b) {
   constexpr double kParallel = 1e-9;  // squared sine of the angle between unit edges
   const Vec3 alongA = a.to - a.from;
   const Vec3 alongB = b.to - b.from;
@@ -128,24 +130,46 @@ std::optional<Vec3> meetingPoint(const Edge& a, const Edge& b) {
   const double ab = lattice::dot(alongA, alongB);
   const double determinant = aa * bb - ab * ab;
   if (determinant < kParallel) {
-    return overlapOf(a, b);
+    return closestOfParallels(a, b);
   }
   const double aOffset = lattice::dot(alongA, offset);
   const double bOffset = lattice::dot(alongB, offset);
   double shareA = clampToUnit((ab * bOffset - aOffset * bb) / determinant);
   const double shareB = clampToUnit((ab * shareA + bOffset) / bb);
   shareA = clampToUnit((ab * shareB - aOffset) / aa);
-  const Vec3 pointA = a.from + shareA * alongA;
-  const Vec3 pointB = b.from + shareB * alongB;
-  if (lattice::length(pointA - pointB) > kSamePoint) {
-    return std::nullopt;
-  }
-  return pointA;
+  return {a.from + shareA * alongA, b.from + shareB * alongB};
 }
 
 bool shareNode(const Edge& a, const Edge& b) {
   return a.fromNode == b.fromNode || a.fromNode == b.toNode || a.toNode == b.fromNode ||
          a.toNode == b.toNode;
+}
+
+//! Compares all edges of two runs without a common node that share a cell. \param meet Is called
+//! with both, run A before run B, and may be called again for the same two.
+template <typename Meet>
+void compareNeighbours(const Arrangement& arrangement, double reach, const Meet& meet) {
+  const std::vector<Edge> edges = edgesOf(arrangement);
+  const std::vector<CellEntry> entries = sortIntoCells(edges, reach);
+  std::int64_t comparisons = 0;
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    for (end = begin + 1; end < entries.size() && entries[end].cell == entries[begin].cell;) {
+      ++end;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = i + 1; j < end; ++j) {
+        // Entries are sorted by edge and edges by run, so a.run < b.run.
+        const Edge& a = edges[at(entries[i].edge)];
+        const Edge& b = edges[at(entries[j].edge)];
+        if (++comparisons > kMaxComparisons) {
+          return;
+        }
+        if (a.run != b.run && !shareNode(a, b) && !meet(a, b)) {
+          return;
+        }
+      }
+    }
+  }
 }
 
 struct Meeting {
@@ -154,49 +178,26 @@ struct Meeting {
   int edgeB = -1;
 };
 
-//! \return False when enough has been found or tried.
-bool compareCell(const std::vector<Edge>& edges,
-                 const std::vector<CellEntry>& entries,
-                 std::pair<std::size_t, std::size_t> range,
-                 std::int64_t& comparisons,
-                 std::vector<Meeting>& meetings) {
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    for (std::size_t j = i + 1; j < range.second; ++j) {
-      const Edge& a = edges[at(entries[i].edge)];
-      const Edge& b = edges[at(entries[j].edge)];
-      if (++comparisons > kMaxComparisons || meetings.size() >= 8 * kMaxCrossings) {
-        return false;
-      }
-      if (a.run == b.run || shareNode(a, b)) {
-        continue;
-      }
-      // Entries are sorted by edge and edges by run, so a.run < b.run.
-      if (const std::optional<Vec3> point = meetingPoint(a, b)) {
-        meetings.push_back({{a.run, b.run, *point}, a.index, b.index});
-      }
-    }
-  }
-  return true;
+bool shareAnyNode(const Arrangement& arrangement, int runA, int runB) {
+  const std::vector<int>& nodes = arrangement.runs[at(runA)].nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [&](int node) {
+    const auto& runs = arrangement.nodes[at(node)].runs;
+    return std::any_of(
+        runs.begin(), runs.end(), [&](const auto& run) { return run.first == runB; });
+  });
 }
 
 }  // namespace
 
 std::vector<OffNodeCrossing> findOffNodeCrossings(const Arrangement& arrangement) {
-  const std::vector<Edge> edges = edgesOf(arrangement);
-  const std::vector<CellEntry> entries = sortIntoCells(edges);
   std::vector<Meeting> meetings;
-  std::int64_t comparisons = 0;
-  std::size_t begin = 0;
-  while (begin < entries.size()) {
-    std::size_t end = begin + 1;
-    while (end < entries.size() && entries[end].cell == entries[begin].cell) {
-      ++end;
+  compareNeighbours(arrangement, kSamePoint, [&](const Edge& a, const Edge& b) {
+    const Closest closest = closestPoints(a, b);
+    if (closest.overlap && lattice::length(closest.a - closest.b) <= kSamePoint) {
+      meetings.push_back({{a.run, b.run, closest.a}, a.index, b.index});
     }
-    if (!compareCell(edges, entries, {begin, end}, comparisons, meetings)) {
-      break;
-    }
-    begin = end;
-  }
+    return meetings.size() < 8 * kMaxCrossings;
+  });
   // A meeting near the border of cells, or at the end of two edges, was found several times.
   std::sort(meetings.begin(), meetings.end(), [](const Meeting& a, const Meeting& b) {
     return std::tie(a.crossing.runA, a.crossing.runB, a.edgeA, a.edgeB) <
@@ -212,6 +213,32 @@ std::vector<OffNodeCrossing> findOffNodeCrossings(const Arrangement& arrangement
     }
   }
   return crossings;
+}
+
+std::vector<NearMiss> findNearMisses(const Arrangement& arrangement) {
+  std::vector<NearMiss> near;
+  compareNeighbours(arrangement, kNearMiss, [&](const Edge& a, const Edge& b) {
+    const Closest closest = closestPoints(a, b);
+    const NearMiss miss{a.run, b.run, a.index, b.index, closest.a, closest.b};
+    if (miss.gap() <= kNearMiss) {
+      near.push_back(miss);
+    }
+    return near.size() < 8 * kMaxCrossings;
+  });
+  std::sort(near.begin(), near.end(), [](const NearMiss& a, const NearMiss& b) {
+    return std::make_tuple(a.runA, a.runB, a.gap(), a.edgeA, a.edgeB) <
+           std::make_tuple(b.runA, b.runB, b.gap(), b.edgeA, b.edgeB);
+  });
+  const auto last = std::unique(near.begin(), near.end(), [](const NearMiss& a, const NearMiss& b) {
+    return a.runA == b.runA && a.runB == b.runB;
+  });
+  near.erase(last, near.end());
+  // Those that touch are joined or cross, and those with a common node are near each other there.
+  const auto kept = std::remove_if(near.begin(), near.end(), [&](const NearMiss& miss) {
+    return miss.gap() <= kSamePoint || shareAnyNode(arrangement, miss.runA, miss.runB);
+  });
+  near.erase(kept, near.end());
+  return near;
 }
 
 }  // namespace liftarm::sketch

@@ -15,4 +15,23 @@ inline constexpr std::size_t kMaxCrossings = 10000;
 //! runs of the arrangement are complete.
 std::vector<OffNodeCrossing> findOffNodeCrossings(const Arrangement& arrangement);
 
+//! Lines this near to each other that do not touch were most likely meant to.
+inline constexpr double kNearMiss = 0.1;
+
+//! \brief Two runs without a common node that come near each other and do not touch.
+struct NearMiss {
+  int runA = -1;
+  int runB = -1;
+  int edgeA = -1;  //!< of run A
+  int edgeB = -1;
+  lattice::Vec3 pointA;  //!< the nearest points
+  lattice::Vec3 pointB;
+
+  [[nodiscard]] double gap() const { return lattice::length(pointB - pointA); }
+};
+
+//! \brief Finds runs that miss each other by more than kSamePoint and at most kNearMiss.
+//! \details Each pair of runs once, where they are nearest, ordered by their numbers.
+std::vector<NearMiss> findNearMisses(const Arrangement& arrangement);
+
 }  // namespace liftarm::sketch

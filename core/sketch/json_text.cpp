@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/plain_text.h"
+
 namespace liftarm::sketch {
 
 namespace {
@@ -263,11 +265,7 @@ std::string inQuotes(std::string_view text) {
   while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
     --end;
   }
-  std::string result = "\"";
-  for (const char c : text.substr(0, end)) {
-    result += std::iscntrl(static_cast<unsigned char>(c)) != 0 ? ' ' : c;
-  }
-  return result + (end < text.size() ? "...\"" : "\"");
+  return "\"" + base::plainText(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
 }  // namespace liftarm::sketch

@@ -30,7 +30,7 @@ std::string axesText(const Line& line, bool along) {
   std::string text;
   const Vec3 span = line.to - line.from;
   for (int axis = 0; axis < 3; ++axis) {
-    if ((std::abs(span[axis]) > kLengthTolerance) == along) {
+    if (!isSnapped(span[axis]) == along) {
       text += (text.empty() ? "" : (along ? " and " : " or ")) +
               std::string(axisName(lattice::axisFromIndex(axis)));
     }
@@ -40,11 +40,11 @@ std::string axesText(const Line& line, bool along) {
 
 bool checkWholeLength(Line& line, std::string_view place, FieldReader& fields) {
   const double length = lattice::length(line.to - line.from);
-  if (length <= kLengthTolerance) {
+  if (isSnapped(length)) {
     return fields.fail(place, "from and to are the same point; a line is at least 1 module long");
   }
   const double nearest = std::max(1.0, std::round(length));
-  if (std::abs(length - nearest) > kLengthTolerance) {
+  if (!isSnapped(length - nearest)) {
     const double below = std::floor(length);
     return fields.fail(
         place,
@@ -161,7 +161,7 @@ bool checkEdge(const Sketch& sketch, const ArrangedEdge& edge, FieldReader& fiel
 bool checkLine(Line& line, std::string_view place, FieldReader& fields) {
   const Vec3 span = line.to - line.from;
   const double smallest = std::min({std::abs(span.x), std::abs(span.y), std::abs(span.z)});
-  if (smallest > kLengthTolerance) {
+  if (!isSnapped(smallest)) {
     return fields.fail(place,
                        "runs " + shortNumber(span.x) + " along x, " + shortNumber(span.y) +
                            " along y and " + shortNumber(span.z) +
@@ -176,7 +176,7 @@ bool checkHoleAxis(const Line& line, std::string_view place, FieldReader& fields
     return true;
   }
   const int axis = lattice::index(*line.holeAxis);
-  if (std::abs((line.to - line.from)[axis]) <= kLengthTolerance) {
+  if (isSnapped((line.to - line.from)[axis])) {
     return true;
   }
   return fields.fail(memberPlace(place, "holeAxis"),

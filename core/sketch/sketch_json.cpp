@@ -1,10 +1,11 @@
 #include "sketch/sketch_json.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "base/plain_text.h"
 #include "sketch/annotation_reader.h"
+#include "sketch/closings.h"
 #include "sketch/json_fields.h"
 #include "sketch/json_text.h"
 #include "sketch/sketch_checks.h"
@@ -24,11 +25,15 @@ class SketchReader {
  public:
   explicit SketchReader(const json& document) : document_(document) {}
 
-  base::Result<Sketch> read() {
-    if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_) || !settle()) {
+  base::Result<Reading> read() {
+    if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_)) {
       return fields_.error();
     }
-    return std::move(sketch_);
+    std::vector<Line> drawn = sketch_.lines;
+    if (!settle()) {
+      return fields_.error();
+    }
+    return Reading{std::move(sketch_), std::move(drawn)};
   }
 
  private:
@@ -81,10 +86,8 @@ class SketchReader {
     if (sketch_.name.size() > kMaxNameBytes) {
       return fields_.fail("name", "longer than " + std::to_string(kMaxNameBytes) + " bytes");
     }
-    const bool printable = std::none_of(sketch_.name.begin(), sketch_.name.end(), [](char c) {
-      return std::iscntrl(static_cast<unsigned char>(c)) != 0;
-    });
-    return printable || fields_.fail("name", "holds a line break or another control character");
+    return base::plainText(sketch_.name) == sketch_.name ||
+           fields_.fail("name", "holds a line break or another control character");
   }
 
   bool readLines() {
@@ -150,12 +153,13 @@ class SketchReader {
         sketch_.ground.has_value() && std::abs(*sketch_.ground - lowestDrawn) <= kStanding;
     const SnapReport snapped = snapToWholeLengths(sketch_.lines);
     sketch_.residual = snapped.residual;
-    if (snapped.residual > kLengthTolerance) {
+    if (!isSnapped(snapped.residual)) {
       const auto worst = static_cast<std::size_t>(snapped.worstLine);
       return fields_.fail(elementPlace("lines", worst),
                           "cannot have length " + std::to_string(sketch_.lines[worst].length) +
                               " together with the lines that it touches; it stays " +
-                              shortNumber(snapped.residual) + " off");
+                              shortNumber(snapped.residual) + " off" +
+                              closingsText(sketch_.lines[worst]));
     }
     if (stands) {
       sketch_.ground = lowestEnd();
@@ -185,6 +189,14 @@ class SketchReader {
 }  // namespace
 
 base::Result<Sketch> readSketch(std::string_view text) {
+  base::Result<Reading> reading = readDrawing(text);
+  if (!reading.ok()) {
+    return reading.error();
+  }
+  return std::move(reading).value().sketch;
+}
+
+base::Result<Reading> readDrawing(std::string_view text) {
   const auto refuse = [](const std::string& message) {
     return base::Error{base::Status::kInvalidInput, message};
   };

@@ -6,6 +6,7 @@ import { placeTrain, readGearTrain, withTrain } from '../../web/src/ui/gallery/g
 import { cameraFor, ISO_OUT } from '../../web/src/view/drawing/drawing-camera.ts';
 import { drawn, MeshShelf } from '../../web/src/view/drawing/drawn-part.ts';
 import { drawPicture } from '../../web/src/view/drawing/picture.ts';
+import { writeStl } from '../../web/src/view/export/stl.ts';
 
 const catalogue = readCatalogue(catalogueFile);
 
@@ -20,4 +21,5 @@ export const tools = {
   ISO_OUT,
   drawn,
   drawPicture,
+  writeStl,
 };

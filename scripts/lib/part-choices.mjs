@@ -14,8 +14,11 @@ const O = [0, 0, 0];
 export const ABS_DENSITY = 1.05;
 /** g/cm3 of LDraw's volume; mean over the three weighed beams 32316, 40490 and 32278. */
 export const STRAIGHT_BEAM_DENSITY = 1.162;
-/** Middle of the published range of 0.10 to 0.16. */
-export const AXLE_GRAMS_PER_MODULE = 0.13;
+/** g/cm3 of LDraw's volume; a plain axle then weighs the middle of the published 0.10 to 0.16 g a module. */
+export const AXLE_DENSITY = 1.322;
+/** For masses that are not what the volume would weigh: why they are believed all the same. */
+const WEIGHED =
+  "scales, as the facts beside the project tell; LDraw's mesh of it is open, so its volume is too small";
 
 // LDraw colours.
 const BLACK = 0;
@@ -174,10 +177,11 @@ const BEAMS = {
 
 const PINS = {
   2780: frictionPin(BLACK, { mass: 0.2 }),
-  3673: pin(LIGHT, { mass: 0.15, massEstimated: true }),
+  3673: pin(LIGHT),
   6558: frictionPin(BLUE, { mass: 0.29 }),
   32556: pin(TAN),
-  43093: frictionPin(BLUE, { mass: 0.15, massEstimated: true }),
+  // Published: 0.11 to 0.19; its volume in ABS is 0.20.
+  43093: frictionPin(BLUE, { mass: 0.19, massEstimated: true }),
   3749: pin(TAN),
   11214: frictionPin(BLACK),
   18651: frictionPin(BLACK),
@@ -231,16 +235,12 @@ const stump = (direction) =>
 const angled = (y, z) => stump([0, y / 20, z / 20]);
 
 const CONNECTORS = {
-  55615: connector(
-    LIGHT,
-    [
-      [O, [0, -40, 0], X, 9, 10],
-      [O, [0, -40, 0], Z, 9, 10],
-      [O, [0, 0, 40], X, 9, 10],
-      [O, [0, 0, 40], Y, 9, 10],
-    ],
-    { mass: 0.69 },
-  ),
+  55615: connector(LIGHT, [
+    [O, [0, -40, 0], X, 9, 10],
+    [O, [0, -40, 0], Z, 9, 10],
+    [O, [0, 0, 40], X, 9, 10],
+    [O, [0, 0, 40], Y, 9, 10],
+  ]),
   48989: connector(
     LIGHT,
     [
@@ -249,8 +249,11 @@ const CONNECTORS = {
     ],
     { mass: 0.95 },
   ),
-  6536: connector(DARK, [[O, [0, 20, 0], X, 9, 9]], { mass: 0.54 }),
-  32184: connector(DARK, [[[0, -20, 0], [0, 20, 0], X, 9, 9]], { mass: 0.91 }),
+  6536: connector(DARK, [[O, [0, 20, 0], X, 9, 9]], { mass: 0.54, massSource: WEIGHED }),
+  32184: connector(DARK, [[[0, -20, 0], [0, 20, 0], X, 9, 9]], {
+    mass: 0.91,
+    massSource: WEIGHED,
+  }),
   42003: connector(DARK, [
     [[0, -20, 0], [0, 20, 0], X, 9, 9],
     [O, [0, 20, 0], Z, 9, 10],

@@ -172,5 +172,14 @@ TEST(Settings, HaveEveryWeightInTheirJson) {
   }
 }
 
+TEST(Settings, ATextOfAnyDepthIsOneMessage) {
+  const std::string deep =
+      R"({"set": {"effort": )" + std::string(200000, '[') + std::string(200000, ']') + "}}";
+  const base::Result<Settings> settings = readSettings(deep);
+  ASSERT_FALSE(settings.ok());
+  EXPECT_NE(settings.error().message.find("deep inside each other"), std::string::npos);
+  EXPECT_LT(settings.error().message.size(), 200U);
+}
+
 }  // namespace
 }  // namespace liftarm::design

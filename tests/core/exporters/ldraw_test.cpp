@@ -205,6 +205,22 @@ TEST(Ldraw, ANameCannotBreakTheFile) {
   EXPECT_EQ(partLines(written(model)).size(), model.parts.size());
 }
 
+TEST(Ldraw, NamesHoldNoMoreThanOneSpaceInARow) {
+  model::Model model = testing::squareFrame();
+  model.name = "  Big  bridge\t\xC2\x9B of  ours ";
+  const std::string text = writeLdraw(model, parts::Catalogue::builtIn());
+  EXPECT_EQ(text.rfind("0 FILE Big bridge of ours.ldr\n0 Big bridge of ours\n", 0), 0U);
+}
+
+TEST(Ldraw, ANameIsNoCommand) {
+  for (const std::string name : {"FILE x", "NOFILE", "STEP", "!LDCAD"}) {
+    model::Model model = testing::squareFrame();
+    model.name = name;
+    const std::string text = writeLdraw(model, parts::Catalogue::builtIn());
+    EXPECT_EQ(text.rfind("0 FILE " + name + ".ldr\n0 Model " + name + "\n", 0), 0U) << text;
+  }
+}
+
 TEST(PartsList, CountsPartsByNumberAndColour) {
   EXPECT_EQ(writePartsCsv(testing::squareFrame()), "Part,Color,Quantity\n2780,71,4\n40490,71,4\n");
 }

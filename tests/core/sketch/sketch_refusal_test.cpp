@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/sketch/sketch_text.h"
+#include "sketch/sketch_json.h"
 
 namespace liftarm::sketch {
 namespace {
@@ -137,6 +138,13 @@ std::string repeated(const std::string& element, int count) {
   return text;
 }
 
+TEST(RefusedByTolerance, OnlyBeyondFiveHundredths) {
+  for (const char* end : {"0.95,0,0", "4.05,0,0", "4,0.05,0.05", "-7.95,0,0"}) {
+    EXPECT_TRUE(readSketch(sketchText(lineText("0,0,0", end))).ok()) << end;
+  }
+  EXPECT_NE(refusalOf(sketchText(lineText("0,0,0", "0.949,0,0"))), "");
+}
+
 TEST(RefusedBySize, AFileLargerThanTheLimitWhateverItHolds) {
   EXPECT_EQ(refusalOf(std::string(kMaxSketchBytes + 1, '[')),
             "the file has 8388609 bytes; at most 8388608 are read");
@@ -155,6 +163,10 @@ TEST(RefusedBySize, LinesLongerInAllThanTheLimit) {
 TEST(RefusedBySize, MoreAnnotationsThanTheLimit) {
   EXPECT_EQ(refusalOf(sketchText(kLine, "\"keepOut\": [" + repeated("{}", 10001) + "]")),
             "keepOut: 10001 elements; at most 10000 are read");
+  EXPECT_EQ(refusalOf(sketchText(kLine, "\"joints\": [" + repeated("{}", 1001) + "]")),
+            "joints: 1001 elements; at most 1000 are read");
+  EXPECT_EQ(refusalOf(sketchText(kLine, "\"symmetries\": [" + repeated("{}", 501) + "]")),
+            "symmetries: 501 elements; at most 500 are read");
 }
 
 }  // namespace

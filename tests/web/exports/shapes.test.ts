@@ -1,6 +1,10 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { type Validation, validateBytes } from 'gltf-validator';
 import { describe, expect, it } from 'vitest';
-import { IDENTITY, type Vec3 } from '../../../web/src/geometry/vec.ts';
+import { mendsOf } from '../../../scripts/lib/admesh.mjs';
+import { IDENTITY, type Mat3 } from '../../../web/src/geometry/vec.ts';
 import type { Model } from '../../../web/src/model/model.ts';
 import { embedHtml, linkTo, pageFolder } from '../../../web/src/ui/share/page-link.ts';
 import { MAX_QR_BYTES, qrPath } from '../../../web/src/ui/share/qr-code.tsx';
@@ -8,7 +12,6 @@ import { MeshShelf } from '../../../web/src/view/drawing/drawn-part.ts';
 import { writeGlb } from '../../../web/src/view/export/glb.ts';
 import { writeStl } from '../../../web/src/view/export/stl.ts';
 import { catalogue } from '../view/helpers/catalogue.ts';
-import { openEdgesOf } from '../view/helpers/mesh-facts.ts';
 
 const shelf = new MeshShelf(catalogue);
 
@@ -88,24 +91,42 @@ describe('.stl', () => {
     expect(Math.max(...xs)).toBeCloseTo(80 + 3.6, 1);
   });
 
-  it('is closed for every part of the catalogue', () => {
+  it('is closed byte by byte for every part of the catalogue, however it is turned', () => {
+    const turned: Mat3 = [0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1];
     for (const { id } of catalogue.parts) {
-      const file = writeStl(modelOf([[id, 71, 0]]), shelf);
-      const view = new DataView(file.buffer);
-      const corner = (face: number, k: number): Vec3 => {
-        const at = 84 + 50 * face + 12 * (k + 1);
-        // Float32 of millimetres: a thousandth is what it holds.
-        const value = (i: number) => Math.round(view.getFloat32(at + 4 * i, true) * 1e3) / 1e3;
-        return [value(0), value(1), value(2)];
-      };
-      const faces = Array.from(
-        { length: view.getUint32(80, true) },
-        (_, i) => [corner(i, 0), corner(i, 1), corner(i, 2)] as const,
-      );
-      expect(openEdgesOf(faces), id).toBe(0);
+      const model = modelOf([[id, 71, 1 / 3]]);
+      const parts = model.parts.map((part) => ({ ...part, rotation: turned }));
+      expect(openBytes(writeStl({ ...model, parts }, shelf)), id).toBe(0);
+    }
+  });
+
+  it('has nothing that admesh would mend', () => {
+    const rows = catalogue.parts.map(({ id }, i) => [id, 71, 20 * i + 1 / 3] as const);
+    const folder = mkdtempSync(join(tmpdir(), 'liftarm-stl-'));
+    const path = join(folder, 'all.stl');
+    try {
+      writeFileSync(path, writeStl(modelOf(rows), shelf));
+      expect(mendsOf(path)).toEqual([]);
+    } finally {
+      rmSync(folder, { recursive: true });
     }
   });
 });
+
+/** Edges whose corners are not, byte by byte, those of as many edges the other way. */
+function openBytes(file: Uint8Array): number {
+  const text = (at: number) => Buffer.from(file.subarray(at, at + 12)).toString('hex');
+  const balance = new Map<string, number>();
+  for (let face = 84; face < file.length; face += 50) {
+    const corners = [12, 24, 36].map((offset) => text(face + offset));
+    corners.forEach((from, k) => {
+      const to = corners[(k + 1) % 3] ?? '';
+      const [name, way] = from < to ? [from + to, 1] : [to + from, -1];
+      balance.set(name, (balance.get(name) ?? 0) + way);
+    });
+  }
+  return [...balance.values()].filter((sum) => sum !== 0).length;
+}
 
 describe('links and codes', () => {
   it('work in any folder', () => {

@@ -25,6 +25,52 @@ describe('.mpd files', () => {
     ]);
   });
 
+  const BEAM = '1 71 0 0 0 1 0 0 0 1 0 0 0 1 32316.dat';
+  const partsOf = (text: string) => {
+    const read = readMpd(text, catalogue);
+    expect(read.ok ? '' : read.message).toBe('');
+    return (JSON.parse(read.ok ? read.value : '{"parts":[]}') as { parts: unknown[] }).parts;
+  };
+
+  it.each([
+    'Big  bridge',
+    ' Big\tbridge ',
+    'Big\u00a0\u2003bridge',
+    'Big\u2028bridge',
+    '1 71 0 0 0',
+    'FILE 0',
+    '32316',
+    'BIG bridge',
+  ])('find submodels whatever their name: %j', (name) => {
+    const sub = `${name} - 1.ldr`;
+    const rows = [`0 FILE ${name}.ldr`, `1 16 0 0 0 1 0 0 0 1 0 0 0 1 ${sub}`, '0 NOFILE'];
+    expect(partsOf([...rows, `0 FILE ${sub}`, BEAM, '0 NOFILE'].join('\n'))).toHaveLength(1);
+  });
+
+  it('leave out rows after the end of a submodel', () => {
+    const rows = ['0 FILE a.ldr', BEAM, '0 NOFILE', BEAM, '1 is no row of any file'];
+    expect(partsOf(rows.join('\n'))).toHaveLength(1);
+  });
+
+  it('may write a folder before the names of parts', () => {
+    for (const folder of ['parts\\', 'parts/', 'C:\\LDraw\\parts\\']) {
+      expect(partsOf(BEAM.replace('32316', `${folder}32316`))).toHaveLength(1);
+    }
+  });
+
+  it('are refused where submodels multiply each other', () => {
+    const level = (i: number) => [
+      `0 FILE ${i}.ldr`,
+      ...Array.from({ length: 30 }, () => `1 16 0 0 0 1 0 0 0 1 0 0 0 1 ${i + 1}.ldr`),
+      '0 NOFILE',
+    ];
+    const text = Array.from({ length: 8 }, (_, i) => level(i))
+      .flat()
+      .join('\n');
+    const read = readMpd(`${text}\n0 FILE 8.ldr\n`, catalogue);
+    expect(read.ok ? '' : read.message).toContain('which is the limit');
+  });
+
   it.each([
     ['0 FILE a.ldr\n0 nothing\n', 'no parts'],
     ['0 FILE a.ldr\n1 71 0 0 0 1 0 0 0 1 0 0 0 1 3001.dat\n', 'part 3001'],

@@ -4,6 +4,8 @@ import type { Catalogue } from '../model/catalogue.ts';
 
 const LDU_PER_MODULE = 20;
 const MAX_PARTS = 200_000;
+/** Visits: submodels that refer to each other many times are few rows in the file. */
+const MAX_ROWS = 400_000;
 const MAX_DEPTH = 8;
 const MAX_FILES = 20_000;
 const MAIN_COLOUR = 16;
@@ -62,32 +64,53 @@ export function looksLikeMpd(text: string): boolean {
   return /^\uFEFF?\s*(0 (FILE|Name:|!|BFC|[^\n]*)|1( -?[\d.]+){13} \S)/i.test(text.slice(0, 4096));
 }
 
+/** Names are told apart without regard to case and to how much white space they hold. */
+function keyOf(name: string): string {
+  return name.trim().replace(/\s+/g, ' ').toLowerCase();
+}
+
+/** The files of a document in their order. Of two with one name the first counts, as everywhere in LDraw. */
 function readFiles(text: string): Map<string, Row[]> {
   const files = new Map<string, Row[]>();
-  let rows: Row[] | null = null;
+  for (const { key, rows } of sectionsOf(text)) {
+    if (!files.has(key)) {
+      files.set(key, rows);
+    }
+    if (files.size > MAX_FILES) {
+      throw new Refusal(`more than ${MAX_FILES} submodels, which is the limit`);
+    }
+  }
+  return files;
+}
+
+interface Section {
+  readonly key: string;
+  readonly rows: Row[];
+}
+
+/** Rows before the first FILE are a file of their own; those after a NOFILE belong to none. */
+function sectionsOf(text: string): Section[] {
+  const leading: Section = { key: 'model.ldr', rows: [] };
+  const sections: Section[] = [];
+  let rows: Row[] | null = leading.rows;
   text.split(/\r?\n/).forEach((line, i) => {
-    const named = /^\s*0 FILE (.+)$/i.exec(line);
+    const named = /^\s*0\s+FILE\s(.+)$/is.exec(line);
     if (named?.[1]) {
       rows = [];
-      files.set(named[1].trim().toLowerCase(), rows);
-      if (files.size > MAX_FILES) {
-        throw new Refusal(`more than ${MAX_FILES} submodels, which is the limit`);
-      }
-    } else if (/^\s*1\s/.test(line)) {
-      if (rows === null) {
-        rows = [];
-        files.set('model.ldr', rows);
-      }
+      sections.push({ key: keyOf(named[1]), rows });
+    } else if (/^\s*0\s+NOFILE\b/i.test(line)) {
+      rows = null;
+    } else if (rows && /^\s*1\s/.test(line)) {
       rows.push(readRow(line, i));
     }
   });
-  return files;
+  return leading.rows.length > 0 ? [leading, ...sections] : sections;
 }
 
 function readRow(line: string, index: number): Row {
   const fields = line.trim().split(/\s+/);
   const numbers = fields.slice(1, 14).map(Number);
-  const file = fields.slice(14).join(' ').toLowerCase();
+  const file = keyOf(fields.slice(14).join(' '));
   if (numbers.length < 13 || !numbers.every(Number.isFinite) || file === '') {
     throw new Refusal(`line ${index + 1}: a part needs a colour, twelve numbers and a file name`);
   }
@@ -105,6 +128,7 @@ class Placer {
   readonly #files: ReadonlyMap<string, readonly Row[]>;
   readonly #catalogue: Catalogue;
   readonly #parts: PartRow[];
+  #rows = 0;
 
   constructor(files: ReadonlyMap<string, readonly Row[]>, catalogue: Catalogue, parts: PartRow[]) {
     this.#files = files;
@@ -117,6 +141,12 @@ class Placer {
       throw new Refusal(`${file}: submodels are nested more than ${MAX_DEPTH} deep`);
     }
     for (const row of this.#files.get(file) ?? []) {
+      this.#rows += 1;
+      if (this.#rows > MAX_ROWS) {
+        throw new Refusal(
+          `more than ${MAX_ROWS} rows with all submodels in place, which is the limit`,
+        );
+      }
       const color = row.color === MAIN_COLOUR ? at.color : row.color;
       const place = { ...compose(at, row), color };
       if (this.#files.has(row.file)) {
@@ -128,7 +158,8 @@ class Placer {
   }
 
   #add(file: string, place: Place): void {
-    const part = file.replace(/\.(dat|ldr)$/, '');
+    // Some programs write the folder of the library before the name.
+    const part = file.replace(/^.*[\\/]/, '').replace(/\.(dat|ldr)$/, '');
     if (!this.#catalogue.find(part)) {
       throw new Refusal(`part ${part.slice(0, 40)} is not in the catalogue`);
     }

@@ -15,9 +15,10 @@ import {
 export const MAX_SKETCH_BYTES = 8 * 2 ** 20;
 export const MAX_LINES = 20000;
 export const MAX_COORDINATE = 2000;
-const LENGTH_TOLERANCE = 0.05;
+/** 0.95 is 0.05 off 1, though not in binary. */
+const LENGTH_TOLERANCE = 0.05 + 1e-9;
 const MAX_NAME = 200;
-const MAX_ANNOTATIONS = 10000;
+const MOST = { joints: 1000, symmetries: 500, keepOut: 10000 };
 
 /** Thrown inside this file alone: the place and what would be right. */
 class Refusal extends Error {}
@@ -70,8 +71,8 @@ function readDocument(json: unknown): SketchDocument {
   const lines = list(root['lines'], 'lines', MAX_LINES).map((line, i) =>
     readLine(line, `lines[${i}]`),
   );
-  const optional = (key: string) =>
-    root[key] === undefined ? [] : list(root[key], key, MAX_ANNOTATIONS);
+  const optional = (key: keyof typeof MOST) =>
+    root[key] === undefined ? [] : list(root[key], key, MOST[key]);
   const joints = optional('joints').map((value, i) =>
     readJoint(value, `joints[${i}]`, lines.length),
   );

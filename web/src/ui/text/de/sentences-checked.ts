@@ -204,4 +204,44 @@ const STRESS: Sentences = [
   ['expected a number above 0, at most {n}', 'erwartet wird eine Zahl über 0, höchstens {n}'],
 ];
 
-export const CHECKED_DE: Sentences = [...CHECKS, ...MOTION, ...STRESS, ...PROBLEMS];
+/** What reading a sketch changed, and what a person would want to know of it (core/sketch/sketch_notes). */
+const NOTES: Sentences = [
+  [
+    '{end} was moved by {n}, from {a} to {b}, so that lines have whole lengths; {k} of {m} line ends were moved',
+    '{end} wurde um {n} verschoben, von {a} nach {b}, damit Linien ganze Längen haben; {k} von {m} Linienenden wurden verschoben',
+  ],
+  [
+    '{line} is {n} modules long as drawn; its length of {l} does not close with the lines that it touches, and {off} are left to the play of the pins; nearest that close: {near}',
+    '{line} ist gezeichnet {n} Module lang; die Länge {l} schließt nicht mit den Linien, die sie berührt, und {off} bleiben dem Spiel der Pins; am nächsten schließen: {near}',
+  ],
+  [
+    '{line} is {n} modules long as drawn; its length of {l} does not close with the lines that it touches, and {off} are left to the play of the pins',
+    '{line} ist gezeichnet {n} Module lang; die Länge {l} schließt nicht mit den Linien, die sie berührt, und {off} bleiben dem Spiel der Pins',
+  ],
+  [
+    '{a} and {b} come within {n} of each other at {at} and do not touch, so nothing joins them there; moving {c} by {shift} would',
+    '{a} und {b} kommen sich bei {at} auf {n} nahe und berühren sich nicht, also verbindet sie dort nichts; {c} um {shift} zu verschieben, würde es',
+  ],
+  [
+    '{a} and {b} cross at {at} between their nodes, where no pin can join them; moving {c} by {shift} would put nodes of both there',
+    '{a} und {b} kreuzen sich bei {at} zwischen ihren Knoten, wo kein Pin sie verbinden kann; {c} um {shift} zu verschieben, brächte Knoten von beiden dorthin',
+  ],
+  [
+    '{a} and {b} cross at {at} between their nodes, where no pin can join them',
+    '{a} und {b} kreuzen sich bei {at} zwischen ihren Knoten, wo kein Pin sie verbinden kann',
+  ],
+  [
+    'the sketch is {n} pieces that nothing joins; each is built on its own',
+    'die Skizze besteht aus {n} Stücken, die nichts verbindet; jedes wird für sich gebaut',
+  ],
+  [
+    'the piece of {a} is {n} from the piece of {b}, from node {p} to node {q}; a line between them, {l} long, would join them',
+    'das Stück von {a} ist {n} vom Stück von {b} entfernt, von Knoten {p} bis Knoten {q}; eine Linie dazwischen, {l} lang, würde sie verbinden',
+  ],
+  [
+    'the piece of {a} is {n} from the piece of {b}, from node {p} to node {q}; moving the one by {shift} would join them',
+    'das Stück von {a} ist {n} vom Stück von {b} entfernt, von Knoten {p} bis Knoten {q}; das eine um {shift} zu verschieben, würde sie verbinden',
+  ],
+];
+
+export const CHECKED_DE: Sentences = [...CHECKS, ...MOTION, ...STRESS, ...PROBLEMS, ...NOTES];

@@ -59,6 +59,10 @@ const SKETCH: Sentences = [
     'zusammen {n} Module lang; höchstens {most} werden gelesen',
   ],
   [
+    'cannot have length {n} together with the lines that it touches; it stays {off} off; nearest that close: {near}',
+    'kann zusammen mit den Linien, die sie berührt, nicht {n} lang sein; es bleiben {off} Abstand; am nächsten schließen: {near}',
+  ],
+  [
     'cannot have length {n} together with the lines that it touches; it stays {off} off',
     'kann zusammen mit den Linien, die sie berührt, nicht {n} lang sein; es bleiben {off} Abstand',
   ],

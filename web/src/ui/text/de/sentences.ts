@@ -26,6 +26,10 @@ const FILES: Sentences = [
     '{file}: Untermodelle liegen mehr als {n}-fach ineinander',
   ],
   ['part {part} is not in the catalogue', 'Teil {part} ist nicht im Katalog'],
+  [
+    'more than {n} rows with all submodels in place, which is the limit',
+    'mehr als {n} Zeilen mit allen Untermodellen am Platz; das ist die Grenze',
+  ],
   ['more than {n} parts, which is the limit', 'mehr als {n} Teile; das ist die Grenze'],
   ['more than {n} lines, which is the limit', 'mehr als {n} Linien; das ist die Grenze'],
   [
@@ -91,6 +95,9 @@ export const PHRASES_DE: Sentences = [
   ['the number {n}', 'die Zahl {n}'],
   ['something else', 'etwas anderes'],
   ['lines', 'Linien'],
+  ['1 module ({mm} mm)', '1 Modul ({mm} mm)'],
+  ['{n} modules ({mm} mm)', '{n} Module ({mm} mm)'],
+  ['{a} by {b} (length {n})', '{a} mal {b} (Länge {n})'],
   ['{n} numbers', '{n} Zahlen'],
   ['line numbers', 'Liniennummern'],
   ['part {n} ({name})', 'Teil {n} ({name})'],

@@ -1,0 +1,197 @@
+#include "sketch/sketch_notes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sketch/arrangement.h"
+#include "sketch/closings.h"
+#include "sketch/crossings.h"
+#include "sketch/json_fields.h"
+#include "sketch/json_text.h"
+#include "sketch/piece_gaps.h"
+
+namespace liftarm::sketch {
+
+namespace {
+
+using lattice::Vec3;
+
+constexpr double kWorthTelling = 1e-3;  // modules: less is how decimal numbers are written
+constexpr double kMillimetres = 8.0;    // a module
+constexpr double kWhole = 1e-6;
+
+std::string pointText(const Vec3& point) {
+  return "[" + shortNumber(point.x) + ", " + shortNumber(point.y) + ", " + shortNumber(point.z) +
+         "]";
+}
+
+std::string modulesText(double modules) {
+  const std::string number = shortNumber(modules);
+  return number + (number == "1" ? " module (" : " modules (") +
+         shortNumber(modules * kMillimetres) + " mm)";
+}
+
+std::string lineName(int line) {
+  return elementPlace("lines", static_cast<std::size_t>(line));
+}
+
+int lineOf(const Arrangement& arrangement, int run, int edge = 0) {
+  return arrangement.runs[static_cast<std::size_t>(run)]
+      .edges[static_cast<std::size_t>(edge)]
+      .lines.front();
+}
+
+void addMoved(const Reading& reading, std::vector<Note>& notes) {
+  Note note{"moved", {}, {}, {}};
+  double most = 0.0;
+  int moved = 0;
+  for (std::size_t i = 0; i < reading.drawn.size(); ++i) {
+    const Line& drawn = reading.drawn[i];
+    const Line& read = reading.sketch.lines[i];
+    for (const auto& [before, after, end] :
+         {std::tuple{drawn.from, read.from, "from"}, std::tuple{drawn.to, read.to, "to"}}) {
+      const double distance = lattice::length(after - before);
+      moved += distance >= kWorthTelling ? 1 : 0;
+      if (distance > most) {
+        most = distance;
+        note.at = after;
+        note.lines = {static_cast<int>(i)};
+        note.message = memberPlace(elementPlace("lines", i), end) + " was moved by " +
+                       modulesText(distance) + ", from " + pointText(before) + " to " +
+                       pointText(after) + ", so that lines have whole lengths";
+      }
+    }
+  }
+  if (most >= kWorthTelling) {
+    note.message += "; " + std::to_string(moved) + " of " +
+                    std::to_string(2 * reading.drawn.size()) + " line ends were moved";
+    notes.push_back(note);
+  }
+}
+
+void addOpen(const Reading& reading, std::vector<Note>& notes) {
+  if (reading.sketch.residual < kWorthTelling) {
+    return;
+  }
+  const auto offOf = [](const Line& line) {
+    return std::abs(lattice::length(line.to - line.from) - line.length);
+  };
+  const std::vector<Line>& lines = reading.sketch.lines;
+  const auto worst =
+      std::max_element(lines.begin(), lines.end(), [&](const Line& a, const Line& b) {
+        return offOf(a) < offOf(b);
+      });
+  const auto index = static_cast<std::size_t>(worst - lines.begin());
+  const Line& drawn = reading.drawn[index];
+  notes.push_back(
+      {"open",
+       elementPlace("lines", index) + " is " + shortNumber(lattice::length(drawn.to - drawn.from)) +
+           " modules long as drawn; its length of " + std::to_string(worst->length) +
+           " does not close with the lines that it touches, and " + modulesText(offOf(*worst)) +
+           " are left to the play of the pins" + closingsText(drawn),
+       0.5 * (worst->from + worst->to),
+       {static_cast<int>(index)}});
+}
+
+void addNear(const Arrangement& arrangement, std::vector<Note>& notes) {
+  const std::vector<NearMiss> misses = findNearMisses(arrangement);
+  for (std::size_t i = 0; i < misses.size() && i < kMostNotes; ++i) {
+    const NearMiss& miss = misses[i];
+    const int a = lineOf(arrangement, miss.runA, miss.edgeA);
+    const int b = lineOf(arrangement, miss.runB, miss.edgeB);
+    notes.push_back({"near",
+                     lineName(a) + " and " + lineName(b) + " come within " +
+                         modulesText(miss.gap()) + " of each other at " + pointText(miss.pointA) +
+                         " and do not touch, so nothing joins them there; moving " + lineName(b) +
+                         " by " + pointText(miss.pointA - miss.pointB) + " would",
+                     miss.pointA,
+                     {a, b}});
+  }
+}
+
+//! The smallest shift of run B that brings nodes of both runs together where they cross.
+Vec3 mendingShift(const Arrangement& arrangement, const OffNodeCrossing& crossing) {
+  const Run& a = arrangement.runs[static_cast<std::size_t>(crossing.runA)];
+  const Run& b = arrangement.runs[static_cast<std::size_t>(crossing.runB)];
+  const auto startOf = [&](const Run& run) {
+    return arrangement.nodes[static_cast<std::size_t>(run.nodes.front())].position;
+  };
+  const auto offNode = [](double along) { return std::round(along) - along; };
+  if (std::abs(lattice::dot(a.direction, b.direction)) > 1.0 - kWhole) {
+    return offNode(lattice::dot(startOf(b) - startOf(a), a.direction)) * a.direction;
+  }
+  const double onA = lattice::dot(crossing.point - startOf(a), a.direction);
+  const double onB = lattice::dot(crossing.point - startOf(b), b.direction);
+  return offNode(onA) * a.direction - offNode(onB) * b.direction;
+}
+
+void addCrossings(const Arrangement& arrangement, std::vector<Note>& notes) {
+  const std::vector<OffNodeCrossing>& crossings = arrangement.offNodeCrossings;
+  for (std::size_t i = 0; i < crossings.size() && i < kMostNotes; ++i) {
+    const OffNodeCrossing& crossing = crossings[i];
+    const int a = lineOf(arrangement, crossing.runA);
+    const int b = lineOf(arrangement, crossing.runB);
+    const Vec3 shift = mendingShift(arrangement, crossing);
+    notes.push_back({"crossing",
+                     lineName(a) + " and " + lineName(b) + " cross at " +
+                         pointText(crossing.point) +
+                         " between their nodes, where no pin can join them" +
+                         (lattice::length(shift) < kWorthTelling
+                              ? std::string()
+                              : "; moving " + lineName(b) + " by " + pointText(shift) +
+                                    " would put nodes of both there"),
+                     crossing.point,
+                     {a, b}});
+  }
+}
+
+//! What would join two nodes: a line where one fits, else a shift of the piece.
+std::string joiningText(const PieceGap& gap) {
+  const Vec3 span = gap.to - gap.from;
+  const double length = lattice::length(span);
+  const double smallest = std::min({std::abs(span.x), std::abs(span.y), std::abs(span.z)});
+  if (length > 0.5 && std::abs(length - std::round(length)) < kWhole && smallest < kWhole) {
+    return "a line between them, " + shortNumber(std::round(length)) + " long, would join them";
+  }
+  return "moving the one by " + pointText(span) + " would join them";
+}
+
+void addPieces(const Arrangement& arrangement, std::vector<Note>& notes) {
+  if (arrangement.pieces < 2) {
+    return;
+  }
+  const int first = lineOf(arrangement, 0);
+  notes.push_back(
+      {"pieces",
+       "the sketch is " + std::to_string(arrangement.pieces) +
+           " pieces that nothing joins; each is built on its own",
+       arrangement.nodes[static_cast<std::size_t>(arrangement.runs.front().nodes.front())].position,
+       {first}});
+  for (const PieceGap& gap : findPieceGaps(arrangement, kMostNotes)) {
+    const int line = lineOf(arrangement, gap.run);
+    const int other = lineOf(arrangement, gap.otherRun);
+    notes.push_back({"pieces",
+                     "the piece of " + lineName(line) + " is " +
+                         modulesText(lattice::length(gap.to - gap.from)) + " from the piece of " +
+                         lineName(other) + ", from node " + pointText(gap.from) + " to node " +
+                         pointText(gap.to) + "; " + joiningText(gap),
+                     gap.from,
+                     {line, other}});
+  }
+}
+
+}  // namespace
+
+std::vector<Note> notesOn(const Reading& reading) {
+  std::vector<Note> notes;
+  addMoved(reading, notes);
+  addOpen(reading, notes);
+  const Arrangement arrangement = arrange(reading.sketch);
+  addNear(arrangement, notes);
+  addCrossings(arrangement, notes);
+  addPieces(arrangement, notes);
+  return notes;
+}
+
+}  // namespace liftarm::sketch
