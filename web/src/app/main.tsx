@@ -29,6 +29,7 @@ import '../../styles/dialogs.css';
 import '../../styles/rooms.css';
 import '../../styles/search.css';
 import type { SketchDocument } from '../model/sketch.ts';
+import { settingsOf } from '../ui/solve-settings.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
@@ -42,7 +43,6 @@ import { isOwnAddress } from './page-files.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { watchSketch } from './sketch-watch.ts';
-import { settingsOf } from './solve-settings.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;
