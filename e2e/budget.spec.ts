@@ -38,16 +38,22 @@ test('scripts at the start stay within their budget', () => {
 
 test('rooms are loaded on demand', () => {
   const late = readdirSync(join(DIST, 'assets')).filter((name) =>
-    /^(make-pdf|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(name),
+    /^(make-pdf|prover|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(name),
   );
-  expect(late.length).toBeGreaterThanOrEqual(5);
+  expect(late.length).toBeGreaterThanOrEqual(6);
   const core = new Set(coreFiles());
   expect(late.filter((name) => core.has(`assets/${name}`))).toEqual([]);
 });
 
+test('the prover waits for the first proof', () => {
+  expect(coreFiles().filter((name) => /highs|prover/.test(name))).toEqual([]);
+});
+
 // Frames and axles in the search took 55 kB; the first picture no longer waits for it.
 test('the WebAssembly module stays within its budget', () => {
-  const modules = readdirSync(join(DIST, 'assets')).filter((name) => name.endsWith('.wasm'));
+  const modules = readdirSync(join(DIST, 'assets')).filter((name) =>
+    /^liftarm-core.*\.wasm$/.test(name),
+  );
   expect(sum(modules.map((name) => `assets/${name}`))).toBeLessThan(640);
 });
 

@@ -10,6 +10,7 @@
 
 #include "base/status.h"
 #include "design/design_session.h"
+#include "design/placements.h"
 #include "design/symmetries.h"
 #include "wasm/contract.h"
 
@@ -91,6 +92,10 @@ SolverReply findSymmetriesJson(const std::string& sketchJson) {
   return toReply(liftarm::design::findSymmetriesJson(sketchJson));
 }
 
+SolverReply placementsJson(const std::string& sketchJson, const std::string& settingsJson) {
+  return toReply(liftarm::design::placementsJson(sketchJson, settingsJson));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -116,6 +121,7 @@ EMSCRIPTEN_BINDINGS(liftarm) {
   emscripten::function("jointMotionJson", &jointMotionJson);
   emscripten::function("freeMotionJson", &freeMotionJson);
   emscripten::function("findSymmetriesJson", &findSymmetriesJson);
+  emscripten::function("placementsJson", &placementsJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }

@@ -20,6 +20,21 @@ constexpr const char* kAbout =
     "3 the machine could not do it, as when the disk is full (one line on standard error).\n"
     "LEGO is a trademark of the LEGO Group, which does not sponsor or endorse this.";
 
+//! Options of a verb that say what the search may do.
+void addSettings(CLI::App* verb, liftarm::cli::SolveOptions& options) {
+  verb->add_option("--preset", options.preset, "faithful, simple, faithful-rigid or simple-rigid")
+      ->type_name("NAME");
+  verb->add_option("--method",
+                   options.method,
+                   "How to search: default, or paper (the published method, for comparison)")
+      ->type_name("NAME");
+  verb->add_option("--set",
+                   options.settings,
+                   "One setting, such as effort=2 or weights.beams=3; a wrong key lists all")
+      ->type_name("key=value")
+      ->allow_extra_args(false);
+}
+
 void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   CLI::App* solve = app.add_subcommand(
       "solve",
@@ -36,19 +51,7 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   solve->add_option("--threads", options.threads, "Searches at the same time; changes no result")
       ->type_name("M")
       ->check(CLI::Range(1, kMostThreads));
-  solve->add_option("--preset", options.preset, "faithful, simple, faithful-rigid or simple-rigid")
-      ->type_name("NAME");
-  solve
-      ->add_option("--method",
-                   options.method,
-                   "How to search: default, or paper (the published method, for comparison)")
-      ->type_name("NAME");
-  solve
-      ->add_option("--set",
-                   options.settings,
-                   "One setting, such as effort=2 or weights.beams=3; a wrong key lists all")
-      ->type_name("key=value")
-      ->allow_extra_args(false);
+  addSettings(solve, options);
   solve->add_flag("--json", options.json, "Print the report as one JSON object");
 }
 
@@ -74,6 +77,12 @@ int run(int argc, char** argv) {
   symmetries->add_option("SKETCH", sketchPath, "Sketch file (JSON)")->required();
   symmetries->add_flag("--json", symmetriesJson, "Print the answer as one JSON object");
 
+  CLI::App* placements = app.add_subcommand(
+      "placements",
+      "Print every part in every place that may be used for a sketch, for proofs: one JSON object");
+  placements->add_option("SKETCH", options.sketchPath, "Sketch file (JSON)")->required();
+  addSettings(placements, options);
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
@@ -88,6 +97,9 @@ int run(int argc, char** argv) {
   }
   if (symmetries->parsed()) {
     return static_cast<int>(liftarm::cli::symmetriesCommand(sketchPath, symmetriesJson));
+  }
+  if (placements->parsed()) {
+    return static_cast<int>(liftarm::cli::placementsCommand(options));
   }
   return static_cast<int>(check->parsed() ? liftarm::cli::checkCommand(modelPath, checkJson)
                                           : liftarm::cli::solveCommand(options));

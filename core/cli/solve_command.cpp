@@ -16,6 +16,7 @@
 #include "cli/solve_seeds.h"
 #include "cli/stress_text.h"
 #include "design/design_session.h"
+#include "design/placements.h"
 #include "design/symmetries.h"
 #include "sketch/sketch_json.h"
 
@@ -188,6 +189,24 @@ ExitCode checkCommand(const std::string& modelPath, bool json) {
   ordered_json report = ordered_json::parse(checked.value(), nullptr, false);
   report["stress"] = stressSummary(model.value());
   return printReport(std::move(report), modelPath, json);
+}
+
+ExitCode placementsCommand(const SolveOptions& options) {
+  const base::Result<ordered_json> settings = settingsOf(options);
+  if (!settings.ok()) {
+    return refuse(settings.error().message);
+  }
+  const base::Result<std::string> sketch = readFile(options.sketchPath, sketch::kMaxSketchBytes);
+  if (!sketch.ok()) {
+    return refuse(sketch.error().message);
+  }
+  const base::Result<std::string> listed =
+      design::placementsJson(sketch.value(), settings.value().dump());
+  if (!listed.ok()) {
+    return refuse(options.sketchPath + ": " + listed.error().message);
+  }
+  print(listed.value() + "\n");
+  return ExitCode::kBuildable;
 }
 
 ExitCode symmetriesCommand(const std::string& sketchPath, bool json) {

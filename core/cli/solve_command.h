@@ -38,6 +38,10 @@ ExitCode checkCommand(const std::string& modelPath, bool json);
 //! \brief Prints the symmetries that a sketch has but does not name, in its own format.
 ExitCode symmetriesCommand(const std::string& sketchPath, bool json);
 
+//! \brief Prints every placement of the parts in use (design/placements.h) as one JSON object.
+//! \param options Those of `solve` that say what is in use.
+ExitCode placementsCommand(const SolveOptions& options);
+
 //! \brief Prints one line on standard error. \return kRefused, so that a caller can return it.
 ExitCode refuse(const std::string& message);
 

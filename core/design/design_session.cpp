@@ -12,7 +12,6 @@
 #include "design/model_builder.h"
 #include "design/report.h"
 #include "design/settings.h"
-#include "guide/beam_bound.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"

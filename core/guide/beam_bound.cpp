@@ -29,12 +29,4 @@ int fewestBeams(const GuidingGraph& graph, const GuideRun& run) {
   return fewestBeams(run, bridged);
 }
 
-int beamsLowerBound(const GuidingGraph& graph) {
-  int total = 0;
-  for (const GuideRun& run : graph.runs) {
-    total += fewestBeams(graph, run);
-  }
-  return total;
-}
-
 }  // namespace liftarm::guide

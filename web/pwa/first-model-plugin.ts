@@ -4,12 +4,12 @@ import { pathToFileURL } from 'node:url';
 import type { Plugin } from 'vite';
 import { loadFirstExample, namedSketch } from '../src/app/example-list.ts';
 import type { MadeModel } from '../src/app/made-model.ts';
-import { settingsOf } from '../src/app/solve-settings.ts';
 import type { FromWorker } from '../src/solver/protocol.ts';
 import type { CreateSolverModule } from '../src/solver/solver-module.ts';
 import { createWorkerCore, type WorkerCore } from '../src/solver/worker-core.ts';
 import { type Language, PREFERENCE_DEFAULTS } from '../src/state/preferences.ts';
 import { writeSketch } from '../src/state/read-sketch.ts';
+import { settingsOf } from '../src/ui/solve-settings.ts';
 
 const NAME = 'virtual:first-model';
 

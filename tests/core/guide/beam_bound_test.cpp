@@ -1,11 +1,7 @@
 #include "guide/beam_bound.h"
 
-#include <string>
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
-#include "core/helpers/shared_data.h"
 #include "core/helpers/sketches.h"
 
 namespace liftarm::guide {
@@ -45,28 +41,6 @@ TEST(BeamBound, BridgedMiddleSavesABeamOnALineOfThirty) {
 TEST(BeamBound, NeedsABeamEvenWhereEveryEdgeCouldBeBridged) {
   const GuidingGraph graph = graphOf(testing::lineSketch(2));
   EXPECT_EQ(fewestBeams(graph.runs.front(), {true, true, true}), 1);
-}
-
-TEST(BeamBound, OfACubeIsTwelve) {
-  EXPECT_EQ(beamsLowerBound(graphOf(testing::cubeSketch(8))), 12);
-}
-
-TEST(BeamBound, CountsPiecesTogether) {
-  EXPECT_EQ(beamsLowerBound(
-                graphOf(testing::sketchFrom({{{0, 0, 0}, {5, 0, 0}}, {{0, 50, 0}, {20, 50, 0}}}))),
-            3);
-}
-
-TEST(BeamBound, EqualsTheProvenOptimumOfTheGridPuzzle) {
-  LIFTARM_NEED_SHARED_DATA();
-  const auto text = testing::readSharedFile("grids.json");
-  ASSERT_TRUE(text.has_value());
-  const nlohmann::json grids = nlohmann::json::parse(*text, nullptr, false);
-  ASSERT_TRUE(grids.is_object());
-  for (const nlohmann::json& grid : grids["grids"]) {
-    const int n = grid["n"].get<int>();
-    EXPECT_EQ(beamsLowerBound(graphOf(testing::gridSketch(n))), grid["straight"].get<int>()) << n;
-  }
 }
 
 }  // namespace

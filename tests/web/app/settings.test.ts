@@ -1,8 +1,8 @@
 import { expect, test } from 'vitest';
 import { refusedLine } from '../../../web/src/app/page-state.ts';
 import { keptLayouts, MAX_LAYOUTS } from '../../../web/src/app/solve-run.ts';
-import { settingsOf } from '../../../web/src/app/solve-settings.ts';
 import { PREFERENCE_DEFAULTS } from '../../../web/src/state/preferences.ts';
+import { settingsOf } from '../../../web/src/ui/solve-settings.ts';
 
 test('a person who has set nothing asks for the defaults of the core', () => {
   expect(settingsOf(PREFERENCE_DEFAULTS)).toEqual({ seed: 1, preset: 'simple', set: {} });

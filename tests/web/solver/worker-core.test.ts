@@ -61,6 +61,7 @@ function countingModule(steps: number) {
     analyseMotionJson: (text) => ({ status: 'ok', text: `motion of ${text}` }),
     jointMotionJson: (text, joint) => ({ status: 'ok', text: `joint ${joint} of ${text}` }),
     freeMotionJson: (text, motion) => ({ status: 'ok', text: `motion ${motion} of ${text}` }),
+    placementsJson: (text) => ({ status: 'ok', text }),
     findSymmetriesJson: (text) => ({ status: 'ok', text }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',

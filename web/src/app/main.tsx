@@ -24,6 +24,7 @@ import '../../styles/panel.css';
 import '../../styles/dialogs.css';
 import '../../styles/rooms.css';
 import '../../styles/search.css';
+import { settingsOf } from '../ui/solve-settings.ts';
 import { solveAfterEdits } from './auto-solve.ts';
 import { commandTable } from './commands.ts';
 import { listenToDrops } from './drop.ts';
@@ -38,7 +39,6 @@ import { PageController } from './page-controller.ts';
 import { followRoom } from './room-route.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import { watchSketch } from './sketch-watch.ts';
-import { settingsOf } from './solve-settings.ts';
 import { followTheme } from './theme.ts';
 
 const ADDRESS_PAUSE_MS = 600;

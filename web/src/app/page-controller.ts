@@ -21,6 +21,7 @@ import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
 import type { Example, LayoutSnapshot, PartKind } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
+import { settingsOf } from '../ui/solve-settings.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import type { StandardView } from '../view/view-types.ts';
@@ -32,7 +33,6 @@ import { PageState } from './page-state.ts';
 import { SceneBridge } from './scene-bridge.ts';
 import { SketchShelf } from './sketch-shelf.ts';
 import { SolveRun } from './solve-run.ts';
-import { settingsOf } from './solve-settings.ts';
 import { Toaster } from './toasts.ts';
 
 interface ControllerOptions {

@@ -81,7 +81,19 @@ export interface SymmetriesQuestion {
   readonly sketchJson: string;
 }
 
-export type Question = StressQuestion | MotionQuestion | PathQuestion | SymmetriesQuestion;
+/** All that may be laid for a sketch, for a proof of how few beams do (solver/proof/placements.ts). */
+export interface PlacementsQuestion {
+  readonly about: 'placements';
+  readonly sketchJson: string;
+  readonly settings: SolveSettings;
+}
+
+export type Question =
+  | StressQuestion
+  | MotionQuestion
+  | PathQuestion
+  | SymmetriesQuestion
+  | PlacementsQuestion;
 
 export type ToWorker =
   /** Replies: any number of `progress`, then `solved`, `refused`, `cancelled` or `failed`. */

@@ -50,6 +50,8 @@ export interface SolverModule {
   freeMotionJson(modelJson: string, motion: number): SolverReply;
   /** Symmetries that a sketch has but does not name, in the sketch's own format. */
   findSymmetriesJson(sketchJson: string): SolverReply;
+  /** All that may be laid for a sketch, for proofs; keys as in core/design/placements.h. */
+  placementsJson(sketchJson: string, settingsJson: string): SolverReply;
   exportModel(modelJson: string, format: string): SolverReply;
   contractJson(): string;
 }

@@ -96,6 +96,8 @@ function answerTo(module: SolverModule, question: Question): SolverReply {
   switch (question.about) {
     case 'symmetries':
       return module.findSymmetriesJson(question.sketchJson);
+    case 'placements':
+      return module.placementsJson(question.sketchJson, settingsText(question.settings));
     case 'stress':
       return module.analyseStressJson(question.modelJson, question.optionsJson);
     case 'motion':

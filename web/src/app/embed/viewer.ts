@@ -6,11 +6,11 @@ import { linkedPreferences } from '../../share/shared-state.ts';
 import { createSolverClient } from '../../solver/client.ts';
 import { readSketchValue, writeSketch } from '../../state/read-sketch.ts';
 import { readSearchSettings, USUAL_SEARCH } from '../../state/search-settings.ts';
+import { settingsOf } from '../../ui/solve-settings.ts';
 import { chooseWords } from '../../ui/text/language.ts';
 import { inWords, loadSentences } from '../../ui/text/sentences.ts';
 import { SceneView } from '../../view/scene-view.ts';
 import { readModel } from '../read-model.ts';
-import { settingsOf } from '../solve-settings.ts';
 
 const WORDS = chooseWords(
   {

@@ -3,6 +3,7 @@ import type { Page, ShownModel } from '../page.ts';
 import { BALANCE_CHECK } from './balance.tsx';
 import { FREEDOMS_CHECK } from './freedoms.tsx';
 import { JOINTS_CHECK } from './joints.tsx';
+import { PROOF_CHECK } from './proof.tsx';
 import { STRESS_CHECK } from './stress.tsx';
 
 /** How a check stands: met, not met, nothing to say, or still being computed. */
@@ -32,4 +33,5 @@ export const CHECK_VIEWS: readonly CheckView[] = [
   JOINTS_CHECK,
   BALANCE_CHECK,
   STRESS_CHECK,
+  PROOF_CHECK,
 ];
