@@ -15,6 +15,18 @@ export interface Stretch {
   readonly to: Vec3;
 }
 
+/** One point of how well a model is built (DESIGN 5b). */
+export interface WellBuiltItem {
+  readonly id: string;
+  readonly title: string;
+  readonly ok: boolean;
+  /** False where the drawing asks for nothing of the kind. */
+  readonly applies?: boolean;
+  readonly detail?: string;
+  /** Where it falls short. */
+  readonly places?: readonly Problem[];
+}
+
 /** The report of a solve (DESIGN 4). Keys that a run does not fill are left out. */
 export interface Report {
   readonly name?: string;
@@ -50,6 +62,7 @@ export interface Report {
   /** Whether it went on from the model of an earlier sketch: a link gives another one. */
   readonly grown?: boolean;
   readonly buildable?: boolean;
+  readonly wellBuilt?: readonly WellBuiltItem[];
   readonly problems?: readonly Problem[];
   readonly objective?: number;
   readonly iterations?: number;

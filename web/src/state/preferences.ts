@@ -21,6 +21,8 @@ export interface Preferences {
   readonly show: 'sketch' | 'both' | 'model';
   readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
+  /** Whether the first task is guided; over once it is done or waved away. */
+  readonly guide: boolean;
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
@@ -36,6 +38,7 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   show: 'both',
   colourBy: 'part',
   projection: 'perspective',
+  guide: true,
 });
 
 /** One test a field: what may come back from storage. */
@@ -52,6 +55,7 @@ const ACCEPTS: { readonly [K in keyof Preferences]: (value: unknown) => boolean 
   show: oneOf('sketch', 'both', 'model'),
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
+  guide: (value) => typeof value === 'boolean',
 };
 
 /** The part of the browser's storage that is used here. */

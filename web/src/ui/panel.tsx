@@ -1,24 +1,31 @@
 import { shortages } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
-import { ChecksSection } from './checks/checks-section.tsx';
+import { CheckPanel } from './check-panel.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { LayoutList } from './layout-list.tsx';
+import { MovePanel } from './move-panel.tsx';
 import type { PartRow, ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
+import { placeOf } from './places.ts';
 import { ProgressChart } from './progress-chart.tsx';
 import { ResultSection } from './result-section.tsx';
 import { SettingsSection } from './settings-section.tsx';
-import { SketchFaults, SymmetrySection } from './sketch-section.tsx';
-import { SolveSection } from './solve-section.tsx';
+import { SymmetrySection } from './sketch-section.tsx';
+import { SearchUnderWay, SolveSection } from './solve-section.tsx';
 import { plural, text } from './text.ts';
+import { VerdictCard } from './verdict-card.tsx';
 
-/** The right side: search, result, parts, downloads and settings. A sheet on a phone. */
+/** The right side: the verdict, and what belongs to the place that is open. A sheet on a phone. */
 export function Panel() {
-  const { panelOpen, result } = usePage();
-  const shown = result.value;
+  const { panelOpen, room } = usePage();
+  const place = placeOf(room.value);
   return (
-    <aside class={panelOpen.value ? 'panel open' : 'panel'} aria-label={text.app.panel}>
+    <aside
+      class={panelOpen.value ? 'panel open' : 'panel'}
+      aria-label={text.app.panel}
+      data-place={place}
+    >
       <button
         type="button"
         class="panel-handle narrow-only"
@@ -31,17 +38,29 @@ export function Panel() {
         <Icon name="chevron" />
       </button>
       <div class="panel-body">
+        <VerdictCard />
         <SolveSection />
-        <SketchFaults />
-        <ResultSection />
-        {shown?.final ? <Downloads /> : null}
-        {shown?.final ? <ChecksSection result={shown} /> : null}
-        {shown?.final ? <Parts result={shown} /> : null}
-        <SearchChart />
-        <SymmetrySection />
-        <SettingsSection />
+        {place === 'check' ? <CheckPanel /> : null}
+        {place === 'move' ? <MovePanel /> : null}
+        {place !== 'check' && place !== 'move' ? <DrawPanel /> : null}
       </div>
     </aside>
+  );
+}
+
+/** Beside the drawing: search, figures, parts, downloads and settings. */
+function DrawPanel() {
+  const shown = usePage().result.value;
+  return (
+    <>
+      <ResultSection />
+      <SearchUnderWay />
+      {shown?.final ? <Parts result={shown} /> : null}
+      {shown?.final ? <Downloads /> : null}
+      <SearchChart />
+      <SymmetrySection />
+      <SettingsSection />
+    </>
   );
 }
 
