@@ -1,3 +1,4 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { shortages } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CheckPanel } from './check-panel.tsx';
@@ -15,6 +16,9 @@ import { SymmetrySection } from './sketch-section.tsx';
 import { SearchUnderWay, SolveSection } from './solve-section.tsx';
 import { plural, text } from './text.ts';
 import { VerdictCard } from './verdict-card.tsx';
+
+/** A shorter search is over before anybody has read its figures: the panel would only flicker. */
+const LONG_MS = 1200;
 
 /** The right side: the verdict, and what belongs to the place that is open. A sheet on a phone. */
 export function Panel() {
@@ -50,18 +54,46 @@ export function Panel() {
 
 /** Beside the drawing: search, figures, parts, downloads and settings. */
 function DrawPanel() {
-  const shown = usePage().result.value;
+  const { phase } = usePage().solve.value;
+  const shown = useLastResult();
+  const long = useLongSearch(phase === 'solving');
   return (
     <>
-      <ResultSection />
-      <SearchUnderWay />
-      {shown?.final ? <Parts result={shown} /> : null}
-      {shown?.final ? <Downloads /> : null}
+      {long ? <SearchUnderWay /> : null}
+      {shown && !long ? <ResultSection result={shown} /> : null}
+      {shown && !long ? <Parts result={shown} /> : null}
+      {shown && !long ? <Downloads /> : null}
       <SearchChart />
       <SymmetrySection />
       <SettingsSection />
     </>
   );
+}
+
+/** The result that is finished; while a search is under way, the one before it. */
+function useLastResult(): ResultState | null {
+  const { result, solve } = usePage();
+  const last = useRef<ResultState | null>(null);
+  const shown = result.value;
+  if (shown?.final) {
+    last.current = shown;
+  } else if (solve.value.phase !== 'solving') {
+    last.current = null;
+  }
+  return last.current;
+}
+
+/** Whether a search has been under way for so long that its course is worth watching. */
+function useLongSearch(solving: boolean): boolean {
+  const [long, setLong] = useState(false);
+  useEffect(() => {
+    const timer = solving ? setTimeout(() => setLong(true), LONG_MS) : undefined;
+    return () => {
+      clearTimeout(timer);
+      setLong(false);
+    };
+  }, [solving]);
+  return long && solving;
 }
 
 /** The course of the last search, for those who want to see it. */

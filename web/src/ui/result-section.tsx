@@ -11,16 +11,13 @@ import { text } from './text.ts';
 const SHOWN_PROBLEMS = 12;
 
 /** The figures of the model on screen. The verdict on it stands above (verdict-card.tsx). */
-export function ResultSection() {
-  const { result, stale } = usePage();
-  const shown = result.value;
-  if (!shown?.final) {
-    return null;
-  }
+export function ResultSection({ result }: { readonly result: ResultState }) {
+  const { stale, solve } = usePage();
+  const past = stale.value || solve.value.phase === 'solving';
   return (
-    <section class={stale.value ? 'result-section stale' : 'result-section'}>
-      <Numbers result={shown} />
-      {shown.report.grown === true ? (
+    <section class={past ? 'result-section stale' : 'result-section'}>
+      <Numbers result={result} />
+      {result.report.grown === true ? (
         <p class="quiet" data-testid="grown">
           {text.result.grown}
         </p>

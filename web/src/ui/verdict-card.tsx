@@ -1,3 +1,5 @@
+import type { RefObject } from 'preact';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Lamp, LampState } from '../model/verdict.ts';
 import { connectedLines } from '../state/connectivity.ts';
 import { fillWords } from '../tools/tool-words.ts';
@@ -7,7 +9,6 @@ import { Icon, type IconName } from './icon.tsx';
 import type { Page } from './page.ts';
 import { usePage } from './page-context.ts';
 import { placeOf } from './places.ts';
-import { formatNumber } from './text/language.ts';
 import { text } from './text.ts';
 import { type CardState, cardState } from './verdict-state.ts';
 
@@ -26,8 +27,9 @@ export function VerdictCard() {
   const card = cardState(page);
   const { phase, message } = page.solve.value;
   const loud = phase === 'refused' || phase === 'failed';
+  const frame = useKeptHeight(phase === 'solving' || page.stale.value);
   return (
-    <section class={`verdict-card ${card.tone}`} aria-label={text.solve.title}>
+    <section ref={frame} class={`verdict-card ${card.tone}`} aria-label={text.solve.title}>
       <div
         class="verdict"
         role={loud ? 'alert' : 'status'}
@@ -43,6 +45,25 @@ export function VerdictCard() {
       <Lamps lamps={card.lamps} />
     </section>
   );
+}
+
+/** While a model is coming, the card stays as high as it was: what stands below it does not jump. */
+function useKeptHeight(keep: boolean): RefObject<HTMLElement | null> {
+  const frame = useRef<HTMLElement>(null);
+  const known = useRef(0);
+  useLayoutEffect(() => {
+    const element = frame.current;
+    if (!element) {
+      return;
+    }
+    if (keep) {
+      element.style.minHeight = `${known.current}px`;
+    } else {
+      element.style.minHeight = '';
+      known.current = element.offsetHeight;
+    }
+  });
+  return frame;
 }
 
 /** What can be done about what is wrong first. */
@@ -118,13 +139,7 @@ function selectLesserPiece({ store }: Page): void {
 
 function Progress() {
   const { progress } = usePage().solve.value;
-  const steps = progress ? `${formatNumber(progress.iterations)} ${text.solve.iterations}` : '';
-  return (
-    <div class="verdict-progress">
-      <progress max="1" value={progress?.fraction ?? 0} aria-label={text.verdict.solving} />
-      <span class="quiet">{steps}</span>
-    </div>
-  );
+  return <progress max="1" value={progress?.fraction ?? 0} aria-label={text.verdict.solving} />;
 }
 
 function Lamps({ lamps }: { readonly lamps: readonly Lamp[] }) {

@@ -3,6 +3,7 @@ import { type FirstWrong, type Lamp, type LampState, verdictOf } from '../model/
 import { fillWords } from '../tools/tool-words.ts';
 import { faultSentence } from './fault-words.ts';
 import type { Page, ResultState } from './page.ts';
+import { formatNumber } from './text/language.ts';
 import { inWords } from './text/sentences.ts';
 import { text } from './text.ts';
 
@@ -139,7 +140,11 @@ function sentence(words: string): string {
 
 function searchWords({ solve }: Page): string {
   const { progress } = solve.value;
-  return progress ? (text.solve.phase[progress.phase] ?? progress.phase) : text.solve.starting;
+  if (!progress) {
+    return text.solve.starting;
+  }
+  const phase = text.solve.phase[progress.phase] ?? progress.phase;
+  return `${phase}: ${formatNumber(progress.iterations)} ${text.solve.iterations}`;
 }
 
 function noModelWords({ preferences, small, store }: Page): string {
