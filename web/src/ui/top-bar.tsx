@@ -57,6 +57,7 @@ function MenuButton() {
     <button
       type="button"
       class="button plain menu-button"
+      aria-label={text.app.menu}
       onClick={() => {
         dialog.value = 'menu';
       }}
