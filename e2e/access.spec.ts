@@ -2,7 +2,7 @@
 import { expectAccessible } from './helpers/axe.ts';
 import { linkOf, publicSketch } from './helpers/links.ts';
 import { scaffold } from './helpers/sketches.ts';
-import { expect, openEmpty, openPage, openText, runCommand, test } from './helpers/test.ts';
+import { expect, goTo, openEmpty, openPage, openText, runCommand, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -23,12 +23,18 @@ test('axe finds nothing serious in the drawing with a model, its panel and its m
     await expectAccessible(page, flyout);
     await page.keyboard.press('Escape');
   }
+  for (const place of ['Check', 'Move']) {
+    await goTo(page, place);
+    await expect(page.locator('.panel').getByText('Loading…')).toBeHidden();
+    await expectAccessible(page, place);
+  }
 });
 
 test('axe finds nothing serious on any sheet', async ({ page }) => {
   await openPage(page);
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
   for (const [words, name] of [
+    ['menu', 'Menu'],
     ['all commands', 'All commands'],
     ['keys help', 'Keys and help'],
     ['examples', 'Examples'],
@@ -120,7 +126,8 @@ test('the page speaks German to those who ask for it', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Rückgängig' })).toBeVisible();
   await expect(page.locator('html')).toHaveAttribute('lang', 'de');
   await expect(page.getByRole('alert')).toContainText('Dieser Link ist beschädigt');
-  await expect(page.getByText('Jedes Teil gibt es')).toBeAttached({ timeout: 60_000 });
+  await page.getByRole('link', { name: 'Prüfen' }).click();
+  await expect(page.getByText('Jedes Teil gibt es')).toBeVisible({ timeout: 60_000 });
   await page.keyboard.press('Control+k');
   await page.locator('.palette-input').fill('sprache english');
   await page.keyboard.press('Enter');

@@ -1,4 +1,4 @@
-import { expect, generate, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+import { expect, generate, goTo, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -21,7 +21,7 @@ test('the line that is offered for a loose frame is added by a click and makes i
   await openEmpty(page);
   await openText(page, JSON.stringify(SQUARE));
   await generate(page);
-  await page.getByRole('heading', { name: 'Checks' }).click();
+  await goTo(page, 'Check');
   const freedoms = page.locator('.check-view').filter({ hasText: 'Rigidity' });
   await expect(freedoms).toContainText('1 without friction');
   await freedoms.locator('summary').click();

@@ -1,5 +1,5 @@
 import { linkOf, publicSketch } from './helpers/links.ts';
-import { downloaded, expect, openPage, test } from './helpers/test.ts';
+import { chooseExample, downloaded, expect, openPage, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -36,8 +36,7 @@ test('after an edit the model goes on from the one before, and says so', async (
 
 test('an example that is opened is the model that its link gives', async ({ page }) => {
   await openPage(page);
-  await page.getByRole('button', { name: 'Examples', exact: true }).click();
-  await page.getByRole('button', { name: /^Truss bridge/ }).click();
+  await chooseExample(page, /^Truss bridge/);
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Truss bridge');
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
   // Longer than the pause after which an edit is solved.

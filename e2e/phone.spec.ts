@@ -21,8 +21,7 @@ async function drag(
 test('one finger draws a line on a phone', async ({ page }) => {
   await openPage(page);
   await page.getByRole('button', { name: 'Menu' }).tap();
-  await page.getByRole('combobox', { name: 'Search for a command' }).fill('new sketch');
-  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'New sketch' }).tap();
   await page.keyboard.press('t');
   await settled(page);
   const session = await page.context().newCDPSession(page);

@@ -4,6 +4,7 @@ import type { Page } from '@playwright/test';
 import { scaffold } from './helpers/sketches.ts';
 import {
   canvasPoint,
+  chooseExample,
   clickPlaces,
   expect,
   openEmpty,
@@ -25,8 +26,7 @@ async function shoot(page: Page, name: string): Promise<void> {
 
 async function openExample(page: Page, name: RegExp): Promise<void> {
   await openPage(page);
-  await page.getByRole('button', { name: 'Examples', exact: true }).click();
-  await page.getByRole('button', { name }).click();
+  await chooseExample(page, name);
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 100_000 });
   await settled(page);
 }
@@ -94,7 +94,7 @@ test('dark', async ({ page }) => {
 test('examples and help', async ({ page }) => {
   await openPage(page);
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 100_000 });
-  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.keyboard.press('Shift+E');
   await expect(page.getByRole('button', { name: /^House/ })).toBeVisible();
   await shoot(page, 'examples');
   await page.keyboard.press('Escape');
@@ -116,8 +116,7 @@ test('look inside', async ({ page }) => {
 
 test('sketches and bricks', async ({ page }) => {
   await openExample(page, /^House/);
-  await page.getByRole('button', { name: 'Examples', exact: true }).click();
-  await page.getByRole('button', { name: /^Seesaw/ }).click();
+  await chooseExample(page, /^Seesaw/);
   await page.keyboard.press('Control+a');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Shift+S');

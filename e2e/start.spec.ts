@@ -1,4 +1,12 @@
-import { clickPlaces, expect, openPage, runCommand, savedSketch, test } from './helpers/test.ts';
+import {
+  chooseExample,
+  clickPlaces,
+  expect,
+  openPage,
+  runCommand,
+  savedSketch,
+  test,
+} from './helpers/test.ts';
 
 // Small: without a graphics card each pixel counts.
 test.use({ viewport: { width: 900, height: 500 } });
@@ -14,8 +22,7 @@ test.describe('without looking at the drawing', () => {
 
   test('an example is chosen from the list and solved', async ({ page }) => {
     await openPage(page);
-    await page.getByRole('button', { name: 'Examples', exact: true }).click();
-    await page.getByRole('button', { name: /^House/ }).click();
+    await chooseExample(page, /^House/);
     await expect(page.getByLabel('Name of the sketch')).toHaveValue('House');
     await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
   });

@@ -117,9 +117,8 @@ ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& cover
       }
     }
   }
-  result.detail = std::to_string(countOf(assemblies)) + " assemblies for " +
-                  std::to_string(matching.assemblyOfPiece.size()) +
-                  " connected parts of the sketch";
+  result.detail = "pieces drawn: " + std::to_string(matching.assemblyOfPiece.size()) +
+                  ", pieces built: " + std::to_string(countOf(assemblies));
   return result;
 }
 

@@ -226,8 +226,8 @@ ItemResult checkCoverage(const Scene& scene, const std::vector<EdgeCover>& cover
     }
     i = last;
   }
-  result.detail = std::to_string(coverage.size()) + " unit edges, " + std::to_string(bridged) +
-                  " of them bridged";
+  result.detail = "modules of line: " + std::to_string(coverage.size()) +
+                  ", bridged by connectors: " + std::to_string(bridged);
   return result;
 }
 

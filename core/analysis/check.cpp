@@ -93,7 +93,7 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
   CheckReport report;
   add(report,
       "realParts",
-      "Every part is real and placed by a proper rotation",
+      "Every part is a real one, neither mirrored nor bent",
       checkRealParts(scene));
   add(report,
       "interpenetration",
@@ -103,7 +103,7 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
   add(report, "assembly", "All parts hang together", assembly);
   add(report,
       "coverage",
-      "Every unit edge of the sketch is covered or bridged",
+      "Every line of the sketch is there from end to end",
       checkCoverage(scene, coverage));
   const ItemResult disassembly = checkDisassembly(scene);
   report.assemblable = disassembly.problems.empty();

@@ -22,8 +22,9 @@ ItemResult checkDisassembly(const Scene& scene) {
     problem.parts.insert(problem.parts.end(), stuck.by.begin(), stuck.by.end());
     result.problems.push_back(std::move(problem));
   }
-  result.detail = std::to_string(moves) + " moves, " + std::to_string(plan.groups.size() - 1) +
-                  " subassemblies, " + std::to_string(plan.stuck.size()) + " parts stuck";
+  result.detail = "moves: " + std::to_string(moves) +
+                  ", groups built apart: " + std::to_string(plan.groups.size() - 1) +
+                  ", parts stuck: " + std::to_string(plan.stuck.size());
   return result;
 }
 

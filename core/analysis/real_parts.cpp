@@ -40,12 +40,11 @@ ItemResult checkRealParts(const Scene& scene) {
                                  placed.pose.position,
                                  {index}});
     } else if (!isProperRotation(placed.pose.rotation)) {
-      result.problems.push_back({"rotation",
-                                 nameOf(scene, index) +
-                                     " is mirrored, scaled or skewed: its rotation "
-                                     "is not a proper one",
-                                 placed.pose.position,
-                                 {index}});
+      result.problems.push_back(
+          {"rotation",
+           nameOf(scene, index) + " is mirrored, scaled or skewed: no real part is",
+           placed.pose.position,
+           {index}});
     }
   }
   if (scene.parts.empty()) {

@@ -57,7 +57,13 @@ export class Storm {
       await this.#round();
       heads = await this.#check(round);
     }
-    return { rounds, kills: this.#kills, edits: this.#edits, safe: this.#safe.size, sketches: heads };
+    return {
+      rounds,
+      kills: this.#kills,
+      edits: this.#edits,
+      safe: this.#safe.size,
+      sketches: heads,
+    };
   }
 
   async #open(): Promise<Page> {

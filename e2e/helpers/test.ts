@@ -53,7 +53,8 @@ export async function openEmpty(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const key = 'liftarm/preferences';
     if (localStorage.getItem(key) === null) {
-      localStorage.setItem(key, JSON.stringify({ autoSolve: false, projection: 'orthographic' }));
+      const quiet = { autoSolve: false, projection: 'orthographic', guide: false };
+      localStorage.setItem(key, JSON.stringify(quiet));
     }
   });
   await openPage(page);
@@ -118,6 +119,20 @@ export async function openPalette(page: Page): Promise<Locator> {
     await expect(input).toBeVisible({ timeout: 2000 });
   }).toPass();
   return input;
+}
+
+/** Goes to a place by its name in the spine. */
+export async function goTo(page: Page, name: string): Promise<void> {
+  const link = page.getByRole('link', { name, exact: true });
+  await link.click();
+  await expect(link).toHaveAttribute('aria-current', 'page');
+}
+
+/** Opens an example from the list, as the menu does. */
+export async function chooseExample(page: Page, name: RegExp): Promise<void> {
+  await page.getByRole('button', { name: 'Menu', exact: true }).click();
+  await page.getByRole('button', { name: 'Examples…' }).click();
+  await page.getByRole('button', { name }).click();
 }
 
 /** Runs the command that the palette finds first for some words. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { matchesShortcut, shortcutKeys } from '../../../web/src/ui/shortcut.ts';
+import { keyOf, matchesShortcut, shortcutKeys } from '../../../web/src/ui/shortcut.ts';
 
 const press = (
   key: string,
@@ -25,6 +25,23 @@ describe('shortcuts', () => {
     [press('l', { alt: true }), 'L', false, false],
   ])('case %#', (event, shortcut, mac, expected) => {
     expect(matchesShortcut(event, shortcut, mac)).toBe(expected);
+  });
+
+  it.each([
+    ['Cyrillic', { key: 'я', code: 'KeyZ' }, 'z'],
+    ['Greek', { key: 'λ', code: 'KeyL' }, 'l'],
+    ['Hebrew', { key: 'ז', code: 'KeyZ' }, 'z'],
+    ['Arabic', { key: '٣', code: 'Digit3' }, '3'],
+    ['German', { key: 'z', code: 'KeyY' }, 'z'],
+    ['French', { key: 'a', code: 'KeyQ' }, 'a'],
+    ['any', { key: 'Enter', code: 'Enter' }, 'Enter'],
+  ])('takes a key of a %s layout', (_, press, key) => {
+    expect(keyOf(press)).toBe(key);
+  });
+
+  it('undoes with a Cyrillic layout', () => {
+    const event = { ...press('я', { ctrl: true }), code: 'KeyZ' };
+    expect(matchesShortcut(event, 'Mod+Z', false)).toBe(true);
   });
 
   it('names the keys of each system', () => {

@@ -43,6 +43,6 @@ export interface Actions {
   /** Nearer (factor below 1) or farther; turned to the right and upwards by radians. */
   moveCamera(move: CameraMove): void;
   announce(message: string): void;
-  /** @param id null goes back to the drawing. */
+  /** @param id a place or a room; null goes back to the drawing. */
   openRoom(id: string | null): void;
 }

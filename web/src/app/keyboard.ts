@@ -1,6 +1,6 @@
 import type { Tool } from '../tools/tool.ts';
 import type { CommandTable } from '../ui/command.ts';
-import { matchesShortcut } from '../ui/shortcut.ts';
+import { keyOf, matchesShortcut } from '../ui/shortcut.ts';
 
 /** What the keyboard acts on. */
 export interface KeyboardTarget {
@@ -67,7 +67,7 @@ function givenToTool(event: KeyboardEvent, target: KeyboardTarget): boolean {
   if (event.key === 'Tab' && !onCanvas) {
     return false;
   }
-  return tool.key({ key: event.key, shift: event.shiftKey });
+  return tool.key({ key: keyOf(event), shift: event.shiftKey });
 }
 
 function isTextField(target: EventTarget | null): boolean {

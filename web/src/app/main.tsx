@@ -8,6 +8,7 @@ import { createSolverPool } from '../solver/solver-pool.ts';
 import { type SavedSketch, SketchStore } from '../state/store.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import type { Page } from '../ui/page.ts';
+import { isLookedAtPlace } from '../ui/places.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { Root } from '../ui/root.tsx';
 import { language } from '../ui/text/language.ts';
@@ -18,6 +19,11 @@ import { Thumbnails } from '../view/still/thumbnails.ts';
 import '../../styles/tokens.css';
 import '../../styles/base.css';
 import '../../styles/layout.css';
+import '../../styles/spine.css';
+import '../../styles/rail.css';
+import '../../styles/verdict.css';
+import '../../styles/menu.css';
+import '../../styles/narrow.css';
 import '../../styles/controls.css';
 import '../../styles/inspect.css';
 import '../../styles/panel.css';
@@ -64,6 +70,7 @@ function pageOf(controller: PageController): Page {
     view: () => scene.view,
     openRoom: controller.openRoom,
     announce: controller.announce,
+    focusDrawing: controller.focusDrawing,
     sketches: {
       list: () => controller.shelf.list(),
       openId: () => controller.shelf.openId,
@@ -182,6 +189,10 @@ async function start(): Promise<void> {
   root.replaceChildren();
   // Before anything is drawn: behind a room nothing has to be.
   followRoom(state.room);
+  effect(() => {
+    // On a phone, what a place beside the drawing is for stands in the sheet.
+    state.panelOpen.value = isLookedAtPlace(state.room.value);
+  });
   render(<Root page={page} />, root);
   listenToDrops(state.dropping, controller.files.openFile);
   listenToKeys(
@@ -189,7 +200,7 @@ async function start(): Promise<void> {
       commands: page.commands,
       mac: page.mac,
       tool: () => state.tool.value,
-      covered: () => state.dialog.value !== null || state.room.value !== null,
+      covered: () => state.dialog.value !== null || findRoom(state.room.value) !== null,
       atRest: controller.rest,
     },
     new AbortController().signal,

@@ -20,7 +20,7 @@ import { nextPlaneMode } from '../tools/guide.ts';
 import type { PlaneMode, Tool, ToolId } from '../tools/tool.ts';
 import { createTools } from '../tools/tool-set.ts';
 import type { Example, LayoutSnapshot, PartKind } from '../ui/page.ts';
-import { findRoom } from '../ui/rooms/room-table.ts';
+import { isLookedAtPlace, nameOfPlace, placeOf } from '../ui/places.ts';
 import { settingsOf } from '../ui/solve-settings.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
@@ -124,7 +124,11 @@ export class PageController implements Actions {
   // --- Tools and edits -----------------------------------------------------------------------
 
   readonly useTool = (id: ToolId): void => {
-    const { tool } = this.state;
+    const { tool, room } = this.state;
+    if (id !== 'select' && isLookedAtPlace(room.value)) {
+      // Tools are for drawing: whoever takes one goes there.
+      room.value = null;
+    }
     tool.value.reset();
     tool.value = this.#toolOf(id);
     tool.value.reset();
@@ -160,8 +164,12 @@ export class PageController implements Actions {
   };
 
   readonly openRoom = (id: string | null): void => {
-    this.state.tool.value.reset();
-    this.state.room.value = findRoom(id)?.id ?? null;
+    const { tool, room } = this.state;
+    tool.value.reset();
+    room.value = nameOfPlace(placeOf(id));
+    if (isLookedAtPlace(room.value)) {
+      this.useTool('select');
+    }
   };
 
   readonly announce = (message: string): void => {
@@ -370,12 +378,7 @@ export class PageController implements Actions {
 
   readonly typeLength = (value: string): void => {
     const tool = this.state.tool.value;
-    for (let i = 0; i < 4; i++) {
-      tool.key({ key: 'Backspace', shift: false });
-    }
-    for (const digit of value.replace(/\D/g, '')) {
-      tool.key({ key: digit, shift: false });
-    }
+    tool.type?.(value);
   };
 
   #toolOf(id: ToolId): Tool {

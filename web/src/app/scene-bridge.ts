@@ -10,6 +10,7 @@ import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
 import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
+import { SceneAxes } from './scene-axes.ts';
 import { SceneLabel } from './scene-label.ts';
 
 const NOTHING: Pick = { line: null, node: null };
@@ -61,7 +62,8 @@ export class SceneBridge implements PointerTarget {
     canvas.setAttribute('aria-label', text.app.drawing);
     canvas.setAttribute('aria-describedby', 'drawing-help');
     const label = new SceneLabel();
-    host.append(canvas, label.element);
+    const axes = new SceneAxes();
+    host.append(canvas, axes.element, label.element);
     this.#label = label;
     this.#canvas = canvas;
     // Before the view: its controls must find the navigation that fits the press.
@@ -71,6 +73,9 @@ export class SceneBridge implements PointerTarget {
         catalogue: this.#catalogue,
         onFrame: (model) => {
           this.#placeLabel();
+          if (this.#view) {
+            axes.place(this.#view, host);
+          }
           this.#drawnModel.value = model;
         },
       });
@@ -84,6 +89,7 @@ export class SceneBridge implements PointerTarget {
       this.#view?.dispose();
       this.#view = null;
       canvas.remove();
+      axes.element.remove();
       label.element.remove();
     };
   }

@@ -50,6 +50,7 @@ export interface Report {
   /** Whether it went on from the model of an earlier sketch: a link gives another one. */
   readonly grown?: boolean;
   readonly buildable?: boolean;
+  readonly wellBuilt?: WellBuilt;
   readonly problems?: readonly Problem[];
   readonly objective?: number;
   readonly iterations?: number;

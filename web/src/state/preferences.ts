@@ -12,6 +12,8 @@ export interface Preferences extends SearchSettings {
   readonly show: 'sketch' | 'both' | 'model';
   readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
+  /** Whether the first task is guided; over once it is done or waved away. */
+  readonly guide: boolean;
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
@@ -22,6 +24,7 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   show: 'both',
   colourBy: 'part',
   projection: 'perspective',
+  guide: true,
 });
 
 type PageFields = Omit<Preferences, keyof SearchSettings>;
@@ -34,6 +37,7 @@ const ACCEPTS: { readonly [K in keyof PageFields]: (value: unknown) => boolean }
   show: oneOf('sketch', 'both', 'model'),
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
+  guide: (value) => typeof value === 'boolean',
 };
 
 /** The part of the browser's storage that is used here. */

@@ -1,4 +1,13 @@
-import { type AxisName, axisIndex, dot, subtract, unitVector, type Vec3 } from '../geometry/vec.ts';
+import {
+  type AxisName,
+  add,
+  axisIndex,
+  dot,
+  scale,
+  subtract,
+  unitVector,
+  type Vec3,
+} from '../geometry/vec.ts';
 import { addKeepOut, addLines } from '../state/edits.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { boxFrame, gridLines, hexagon, rectangle, type Segment, toLines } from './frame-lines.ts';
@@ -69,6 +78,21 @@ export class RectangleTool extends PlaneFigureTool {
 
   protected segments(a: Vec3, b: Vec3): Segment[] {
     return rectangle(a, b, this.normal);
+  }
+
+  protected override sizes(): number {
+    return 2;
+  }
+
+  protected override beginTyped(): void {
+    this.beginHere();
+  }
+
+  protected override placeTyped(from: Vec3, to: Vec3): Vec3 {
+    return cornerBySizes(from, to, {
+      axes: planeAxes(this.plane().axis),
+      sizes: this.typedSizes(),
+    });
   }
 }
 
@@ -146,6 +170,13 @@ abstract class BoxBaseTool extends PointTool {
     }
     if (a) {
       this.#axis = this.plane().axis;
+      const height = this.#typedHeight();
+      if (height !== undefined) {
+        this.finish(a, to, height);
+        this.points = [];
+        this.located = null;
+        return;
+      }
     }
     this.points = [...this.points, to];
   }
@@ -155,7 +186,12 @@ abstract class BoxBaseTool extends PointTool {
     if (a && b) {
       return boxFrame(a, b, this.#axis, this.#height(b, to));
     }
-    return a ? rectangle(a, to, this.plane().axis) : [];
+    if (!a) {
+      return [];
+    }
+    const { axis } = this.plane();
+    const height = this.#typedHeight();
+    return height === undefined ? rectangle(a, to, axis) : boxFrame(a, to, axis, height);
   }
 
   protected accepts(to: Vec3): boolean {
@@ -172,11 +208,30 @@ abstract class BoxBaseTool extends PointTool {
       return String(Math.abs(this.#height(b, to)));
     }
     const axes = planeAxes(this.plane().axis);
-    return axes.map((axis) => Math.abs(span(a ?? to, to, axis))).join(' × ');
+    const sides = axes.map((axis) => Math.abs(span(a ?? to, to, axis)));
+    return [...sides, this.#typedHeight() ?? []].flat().join(' × ');
   }
 
   protected override typedIsLength(): boolean {
     return this.points.length === 2;
+  }
+
+  protected override sizes(): number {
+    return this.points.length === 2 ? 1 : 3;
+  }
+
+  protected override beginTyped(): void {
+    this.beginHere();
+  }
+
+  protected override placeTyped(from: Vec3, to: Vec3): Vec3 {
+    const axes = this.points.length === 2 ? [this.#axis] : planeAxes(this.plane().axis);
+    return cornerBySizes(from, to, { axes, sizes: this.typedSizes() });
+  }
+
+  /** The height, where it was typed together with the base. */
+  #typedHeight(): number | undefined {
+    return this.points.length === 1 ? this.typedSizes()[2] : undefined;
   }
 
   #height(b: Vec3, to: Vec3): number {
@@ -228,6 +283,22 @@ export class KeepOutTool extends BoxBaseTool {
 function flatAxis(a: Vec3, b: Vec3): AxisName | null {
   const flat = (['x', 'y', 'z'] as const).filter((axis) => span(a, b, axis) === 0);
   return flat.length === 1 ? (flat[0] ?? null) : null;
+}
+
+/**
+ * The corner across from `from` by sizes along the axes, on the pointer's side of it. A size that is not typed
+ * is the pointer's; where that is none, the first one.
+ */
+function cornerBySizes(
+  from: Vec3,
+  to: Vec3,
+  typed: { readonly axes: readonly AxisName[]; readonly sizes: readonly number[] },
+): Vec3 {
+  return typed.axes.reduce((corner, axis, i) => {
+    const drawn = span(from, to, axis);
+    const size = typed.sizes[i] ?? (Math.abs(drawn) || (typed.sizes[0] ?? 0));
+    return add(corner, scale(unitVector(axis), drawn < 0 ? -size : size));
+  }, from);
 }
 
 function span(a: Vec3, b: Vec3, axis: AxisName): number {

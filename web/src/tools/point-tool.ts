@@ -22,10 +22,12 @@ import {
   type ToolOverlay,
 } from './tool.ts';
 import { fillWords } from './tool-words.ts';
+import { sizesOf, tidySizes } from './typed-sizes.ts';
 
 /** A press that moves farther than this is a drag, in pixels. */
 const DRAG_PIXELS = 8;
-const MAX_DIGITS = 3;
+/** What is typed between two sizes, as in `6,8,4`. */
+const SEPARATORS = [',', ';', '*', '×'];
 
 /** What the drawing tools have in common: points placed one after the other by pointer or by keys. */
 export abstract class PointTool implements Tool {
@@ -111,8 +113,10 @@ export abstract class PointTool implements Tool {
 
   key(input: KeyInput): boolean {
     const lower = input.key.toLowerCase();
-    if (/^\d$/.test(input.key)) {
-      return this.#type(input.key);
+    const parts = SEPARATORS.includes(input.key) && this.typed !== '' && this.sizes() > 1;
+    if (/^\d$/.test(input.key) || parts) {
+      this.type(this.typed + (parts ? ',' : input.key));
+      return true;
     }
     if (lower === 'x' || lower === 'y' || lower === 'z') {
       return this.#toggleLock(lower);
@@ -121,7 +125,7 @@ export abstract class PointTool implements Tool {
       case 'Backspace':
         return this.#untype();
       case 'Enter':
-        this.located ??= this.#keyboardStart();
+        this.located ??= this.keyboardStart();
         this.commit();
         return true;
       case 'Tab':
@@ -170,10 +174,45 @@ export abstract class PointTool implements Tool {
     return lines.at(-1)?.to ?? [0, 0, ground ?? 0];
   }
 
+  /** How many sizes can be typed for the next step. */
+  protected sizes(): number {
+    return 1;
+  }
+
+  /** Sizes typed so far. */
+  protected typedSizes(): readonly number[] {
+    return sizesOf(this.typed);
+  }
+
   /** Number typed so far, or null. */
   protected typedNumber(): number | null {
-    const value = Number(this.typed);
-    return this.typed === '' || value < 1 ? null : value;
+    return this.typedSizes()[0] ?? null;
+  }
+
+  type(value: string): void {
+    this.typed = tidySizes(value, this.sizes());
+    this.beginTyped();
+    this.#applyTyped();
+    this.refresh();
+  }
+
+  /** Before what was typed is applied: the place to begin a figure that is told by its sizes alone. */
+  protected beginTyped(): void {
+    // Most tools wait for a point.
+  }
+
+  /** Begins where the pointer is, or the keyboard's cursor, unless something is begun. */
+  protected beginHere(): void {
+    if (this.points.length === 0 && this.typed !== '') {
+      this.located ??= this.keyboardStart();
+      this.points = [this.located.point];
+    }
+  }
+
+  /** Where the next point would be by what was typed, in place of the pointer's place. */
+  protected placeTyped(from: Vec3, to: Vec3): Vec3 {
+    const length = this.typedNumber();
+    return length === null || !this.typedIsLength() ? to : endAtLength(from, to, length);
   }
 
   /** Places the point under the cursor, or says why not. */
@@ -215,6 +254,7 @@ export abstract class PointTool implements Tool {
           : null,
       label: to && moved ? this.#label(to, ok) : null,
       typed: this.typed,
+      sizes: this.sizes(),
       lock: this.lock,
     };
     this.#hint.value = this.describe();
@@ -232,29 +272,19 @@ export abstract class PointTool implements Tool {
     return fillWords(this.context.words.snap[located.snap], { axis });
   }
 
-  #type(digit: string): boolean {
-    this.typed = (this.typed + digit).replace(/^0+/, '').slice(0, MAX_DIGITS);
-    this.#applyTyped();
-    this.refresh();
-    return true;
-  }
-
   #untype(): boolean {
     if (this.typed === '') {
       return false;
     }
-    this.typed = this.typed.slice(0, -1);
-    this.refresh();
+    this.type(this.typed.slice(0, -1));
     return true;
   }
 
   #applyTyped(): void {
     const from = this.points.at(-1);
-    const length = this.typedNumber();
-    if (!from || !this.located || length === null || !this.typedIsLength()) {
-      return;
+    if (from && this.located && this.typed !== '') {
+      this.located = { ...this.located, point: this.placeTyped(from, this.located.point) };
     }
-    this.located = { ...this.located, point: endAtLength(from, this.located.point, length) };
   }
 
   /** Whether a typed number is the distance to the next point. */
@@ -282,7 +312,7 @@ export abstract class PointTool implements Tool {
     if (!step) {
       return false;
     }
-    const at = this.located ?? this.#keyboardStart();
+    const at = this.located ?? this.keyboardStart();
     const point = add(at.point, step);
     const from = this.points.at(-1);
     const axis = from ? axisOf(from, point) : null;
@@ -293,7 +323,7 @@ export abstract class PointTool implements Tool {
     return true;
   }
 
-  #keyboardStart(): Located {
+  protected keyboardStart(): Located {
     return { point: this.points.at(-1) ?? this.restingPoint(), snap: 'grid', axis: null };
   }
 

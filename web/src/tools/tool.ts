@@ -57,8 +57,10 @@ export interface ToolOverlay {
   readonly hovered: number | null;
   /** A selection box in pixels. */
   readonly box: { readonly from: ScreenPoint; readonly to: ScreenPoint } | null;
-  /** Typed digits, shown in the length field. */
+  /** Typed digits, shown in the size field. */
   readonly typed: string;
+  /** How many sizes can be typed for the next step: `6,8,4` are three. */
+  readonly sizes: number;
   readonly lock: AxisName | null;
 }
 
@@ -70,6 +72,7 @@ export const EMPTY_OVERLAY: ToolOverlay = {
   hovered: null,
   box: null,
   typed: '',
+  sizes: 0,
   lock: null,
 };
 
@@ -112,6 +115,8 @@ export interface Tool {
   pointerLeave(): void;
   /** @returns true when the key was used. */
   key(input: KeyInput): boolean;
+  /** Takes the place of what was typed, as a field of the page that holds it says. */
+  type?(value: string): void;
   /** Steps back one thing. @returns false when there was nothing to step back from. */
   escape(): boolean;
   /** Forgets everything under way. */

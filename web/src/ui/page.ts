@@ -113,7 +113,15 @@ export interface Toast {
   readonly action?: { readonly label: string; readonly run: () => void };
 }
 
-export type DialogName = 'bricks' | 'palette' | 'help' | 'examples' | 'sketches' | 'about' | null;
+export type DialogName =
+  | 'menu'
+  | 'bricks'
+  | 'palette'
+  | 'help'
+  | 'examples'
+  | 'sketches'
+  | 'about'
+  | null;
 
 /** The sketches that this browser keeps. */
 export interface SketchLibraryPage {
@@ -153,7 +161,7 @@ export interface Page {
   readonly section: Signal<Section | null>;
   /** Set while something in the scene can be dragged, null otherwise. */
   readonly pointerTaker: Signal<PointerTaker | null>;
-  /** The room that is open, null for the drawing; see ui/rooms/room-table.ts. */
+  /** The place that is open by its name in the address, null for the drawing; see ui/places.ts. */
   readonly room: ReadonlySignal<string | null>;
   readonly examples: ReadonlySignal<readonly Example[] | null>;
   readonly dialog: Signal<DialogName>;
@@ -183,12 +191,14 @@ export interface Page {
   mountScene(host: HTMLElement): () => void;
   /** The scene: overlays, pictures, places on screen. Null before it is there, or without WebGL. */
   view(): SceneView | null;
-  /** @param id null goes back to the drawing. */
+  /** @param id a place or a room; null goes back to the drawing. */
   openRoom(id: string | null): void;
   readonly sketches: SketchLibraryPage;
   /** Says a sentence to screen readers. */
   announce(message: string): void;
   useTool(id: ToolId): void;
+  /** Gives the keys to the drawing. */
+  focusDrawing(): void;
   openExample(example: Example): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
@@ -207,6 +217,6 @@ export interface Page {
   dropSymmetry(index: number): void;
   rename(name: string): void;
   dismissToast(id: number): void;
-  /** Typed into the length field of the options bar. */
+  /** Typed into the size field of the options bar: what stands in it now. */
   typeLength(value: string): void;
 }

@@ -1,25 +1,35 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { shortages } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
-import { ChecksSection } from './checks/checks-section.tsx';
-import { WellBuiltSection } from './checks/well-built-section.tsx';
+import { CheckPanel } from './check-panel.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { LayoutList } from './layout-list.tsx';
+import { MovePanel } from './move-panel.tsx';
 import type { PartRow, ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
+import { placeOf } from './places.ts';
 import { ProgressChart } from './progress-chart.tsx';
 import { ResultSection } from './result-section.tsx';
 import { SettingsSection } from './settings-section.tsx';
-import { SketchFaults, SymmetrySection } from './sketch-section.tsx';
-import { SolveSection } from './solve-section.tsx';
+import { SymmetrySection } from './sketch-section.tsx';
+import { SearchUnderWay, SolveSection } from './solve-section.tsx';
 import { plural, text } from './text.ts';
+import { VerdictCard } from './verdict-card.tsx';
 
-/** The right side: search, result, parts, downloads and settings. A sheet on a phone. */
+/** A shorter search is over before anybody has read its figures: the panel would only flicker. */
+const LONG_MS = 1200;
+
+/** The right side: the verdict, and what belongs to the place that is open. A sheet on a phone. */
 export function Panel() {
-  const { panelOpen, result } = usePage();
-  const shown = result.value;
+  const { panelOpen, room } = usePage();
+  const place = placeOf(room.value);
   return (
-    <aside class={panelOpen.value ? 'panel open' : 'panel'} aria-label={text.app.panel}>
+    <aside
+      class={panelOpen.value ? 'panel open' : 'panel'}
+      aria-label={text.app.panel}
+      data-place={place}
+    >
       <button
         type="button"
         class="panel-handle narrow-only"
@@ -32,19 +42,58 @@ export function Panel() {
         <Icon name="chevron" />
       </button>
       <div class="panel-body">
+        <VerdictCard />
         <SolveSection />
-        <SketchFaults />
-        <ResultSection />
-        {shown?.final ? <Downloads /> : null}
-        {shown?.final ? <ChecksSection result={shown} /> : null}
-        {shown?.final && shown.wellBuilt ? <WellBuiltSection built={shown.wellBuilt} /> : null}
-        {shown?.final ? <Parts result={shown} /> : null}
-        <SearchChart />
-        <SymmetrySection />
-        <SettingsSection />
+        {place === 'check' ? <CheckPanel /> : null}
+        {place === 'move' ? <MovePanel /> : null}
+        {place !== 'check' && place !== 'move' ? <DrawPanel /> : null}
       </div>
     </aside>
   );
+}
+
+/** Beside the drawing: search, figures, parts, downloads and settings. */
+function DrawPanel() {
+  const { phase } = usePage().solve.value;
+  const shown = useLastResult();
+  const long = useLongSearch(phase === 'solving');
+  return (
+    <>
+      {long ? <SearchUnderWay /> : null}
+      {shown && !long ? <ResultSection result={shown} /> : null}
+      {shown && !long ? <Parts result={shown} /> : null}
+      {shown && !long ? <Downloads /> : null}
+      <SearchChart />
+      <SymmetrySection />
+      <SettingsSection />
+    </>
+  );
+}
+
+/** The result that is finished; while a search is under way, the one before it. */
+function useLastResult(): ResultState | null {
+  const { result, solve } = usePage();
+  const last = useRef<ResultState | null>(null);
+  const shown = result.value;
+  if (shown?.final) {
+    last.current = shown;
+  } else if (solve.value.phase !== 'solving') {
+    last.current = null;
+  }
+  return last.current;
+}
+
+/** Whether a search has been under way for so long that its course is worth watching. */
+function useLongSearch(solving: boolean): boolean {
+  const [long, setLong] = useState(false);
+  useEffect(() => {
+    const timer = solving ? setTimeout(() => setLong(true), LONG_MS) : undefined;
+    return () => {
+      clearTimeout(timer);
+      setLong(false);
+    };
+  }, [solving]);
+  return long && solving;
 }
 
 /** The course of the last search, for those who want to see it. */

@@ -10,83 +10,62 @@ import { text } from './text.ts';
 
 const SHOWN_PROBLEMS = 12;
 
-/** The verdict and the numbers of the model on screen. */
-export function ResultSection() {
-  const { result, stale, solve, preferences, small } = usePage();
-  const shown = result.value;
-  const alone = preferences.value.autoSolve && small.value;
-  if (!shown) {
-    return solve.value.phase === 'solving' ? null : (
-      <section class="result-section">
-        <p class="verdict none">
-          <strong>{text.result.noModel}</strong>
-          <span>{alone ? text.result.noModelAuto : text.result.noModelText}</span>
-        </p>
-      </section>
-    );
-  }
+/** The figures of the model on screen. The verdict on it stands above (verdict-card.tsx). */
+export function ResultSection({ result }: { readonly result: ResultState }) {
+  const { stale, solve } = usePage();
+  const past = stale.value || solve.value.phase === 'solving';
   return (
-    <section class={stale.value ? 'result-section stale' : 'result-section'}>
-      {shown.final ? <Verdict result={shown} stale={stale.value} /> : null}
-      {shown.final && shown.report.grown === true ? (
+    <section class={past ? 'result-section stale' : 'result-section'}>
+      <Numbers result={result} />
+      {result.report.grown === true ? (
         <p class="quiet" data-testid="grown">
           {text.result.grown}
         </p>
       ) : null}
-      {shown.final ? <Numbers result={shown} /> : null}
-      {shown.final && shown.problems.length > 0 ? <Problems problems={shown.problems} /> : null}
     </section>
   );
 }
 
-function Verdict({ result, stale }: { readonly result: ResultState; readonly stale: boolean }) {
-  const failed = result.items.filter((item) => !item.ok);
-  const list = failed.map((item) => inWords(item.title).toLowerCase()).join('; ');
-  const why = list === '' ? text.result.failedCount : fillWords(text.result.failedChecks, { list });
-  const pieces = result.report.pieces ?? 1;
-  const note = stale
-    ? text.solve.stale
-    : result.source === 'file'
-      ? text.solve.fromFile
-      : result.buildable
-        ? fillWords(pieces > 1 ? text.result.buildablePieces : text.result.buildableText, {
-            n: pieces,
-          })
-        : why;
+/** All that is wrong with the model, each with its place. */
+export function ProblemSection({ result }: { readonly result: ResultState }) {
+  const { stale } = usePage();
+  return result.problems.length === 0 ? null : (
+    <section class={stale.value ? 'result-section stale' : 'result-section'}>
+      <Problems problems={result.problems} />
+    </section>
+  );
+}
+
+/** What should be nothing, and the fewest beams that straight ones alone could do with. */
+export function FigureSection({ result }: { readonly result: ResultState }) {
+  const { stale } = usePage();
+  const { beamsLowerBound: bound } = result.report;
   return (
-    <p class={`verdict ${result.buildable ? 'ok' : 'bad'}`} role="status" data-testid="verdict">
-      <Icon name={result.buildable ? 'check' : 'alert'} />
-      <strong>{result.buildable ? text.result.buildable : text.result.notBuildable}</strong>
-      <span>{note}</span>
-    </p>
+    <section class={stale.value ? 'result-section stale' : 'result-section'}>
+      <Shortcomings report={result.report} />
+      {bound === undefined ? null : (
+        <p class="quiet">{fillWords(text.result.bound, { n: bound })}</p>
+      )}
+    </section>
   );
 }
 
 function Numbers({ result }: { readonly result: ResultState }) {
   const { report } = result;
-  const bound = report.beamsLowerBound;
   return (
-    <>
-      <dl class="figures">
-        {report.beams === undefined ? null : (
-          <div>
-            <dt>{text.result.beams}</dt>
-            <dd>
-              {report.beams}
-              {bound === undefined ? null : (
-                <small>{fillWords(text.result.bound, { n: bound })}</small>
-              )}
-            </dd>
-          </div>
-        )}
+    <dl class="figures">
+      {report.beams === undefined ? null : (
         <div>
-          <dt>{text.result.bricks}</dt>
-          <dd>{report.bricks ?? result.bricks}</dd>
+          <dt>{text.result.beams}</dt>
+          <dd>{report.beams}</dd>
         </div>
-        <TimeAndMass result={result} />
-      </dl>
-      <Shortcomings report={report} />
-    </>
+      )}
+      <div>
+        <dt>{text.result.bricks}</dt>
+        <dd>{report.bricks ?? result.bricks}</dd>
+      </div>
+      <TimeAndMass result={result} />
+    </dl>
   );
 }
 

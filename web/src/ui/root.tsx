@@ -2,10 +2,12 @@ import { About } from './about.tsx';
 import { BrickSet } from './brick-set.tsx';
 import { Examples } from './examples.tsx';
 import { Help } from './help.tsx';
+import { Menu } from './menu.tsx';
 import type { Page } from './page.ts';
 import { PageProvider, usePage } from './page-context.ts';
 import { Palette } from './palette.tsx';
 import { Panel } from './panel.tsx';
+import { placeOf } from './places.ts';
 import { RoomHost } from './rooms/room-host.tsx';
 import { findRoom } from './rooms/room-table.ts';
 import { Sketches } from './sketches.tsx';
@@ -19,6 +21,8 @@ import { TopBar } from './top-bar.tsx';
 export function Root({ page }: { readonly page: Page }) {
   return (
     <PageProvider value={page}>
+      <Skip />
+      <TopBar />
       <Editor />
       <Rooms />
       <Toasts />
@@ -27,24 +31,28 @@ export function Root({ page }: { readonly page: Page }) {
   );
 }
 
-/** The drawing with its bars and panels; it waits while a room is open. */
-function Editor() {
-  const waiting = findRoom(usePage().room.value) !== null;
+function Skip() {
+  const page = usePage();
+  const toDrawing = () => {
+    page.openRoom(null);
+    page.focusDrawing();
+  };
   return (
-    <div class="editor" inert={waiting}>
-      <button
-        type="button"
-        class="skip"
-        onClick={() => document.querySelector<HTMLElement>('.scene canvas')?.focus()}
-      >
-        {text.app.skip}
-      </button>
-      <TopBar />
-      <div class="work">
-        <ToolRail />
-        <Stage />
-        <Panel />
-      </div>
+    <button type="button" class="skip" onClick={toDrawing}>
+      {text.app.skip}
+    </button>
+  );
+}
+
+/** The drawing with its tools and its panel; it waits while a room is open. */
+function Editor() {
+  const { room } = usePage();
+  const waiting = findRoom(room.value) !== null;
+  return (
+    <div class="editor work" inert={waiting} data-place={placeOf(room.value)}>
+      <ToolRail />
+      <Stage />
+      <Panel />
     </div>
   );
 }
@@ -56,6 +64,8 @@ function Rooms() {
 
 function Dialogs() {
   switch (usePage().dialog.value) {
+    case 'menu':
+      return <Menu />;
     case 'palette':
       return <Palette />;
     case 'help':

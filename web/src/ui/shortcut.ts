@@ -1,6 +1,8 @@
 /** The parts of a keyboard event that decide on a shortcut. */
 export interface KeyPress {
   readonly key: string;
+  /** The place on the keyboard, such as `KeyZ`. */
+  readonly code?: string;
   readonly ctrlKey: boolean;
   readonly metaKey: boolean;
   readonly shiftKey: boolean;
@@ -27,6 +29,19 @@ const SYMBOLS: Readonly<Record<string, string>> = {
   Escape: 'Esc',
 };
 
+/**
+ * The key as our shortcuts name it. What a layout says counts where it is one of our signs: who has a French
+ * or a German keyboard presses the letter that is printed on it. Where it is another script's, as on Cyrillic,
+ * Greek, Hebrew or Arabic layouts, the place on the keyboard counts: Z is where Z is on an English one.
+ */
+export function keyOf({ key, code }: Pick<KeyPress, 'key' | 'code'>): string {
+  if (key.length !== 1 || key.charCodeAt(0) < 128) {
+    return key;
+  }
+  const place = /^(?:Key|Digit|Numpad)([A-Z0-9])$/.exec(code ?? '')?.[1];
+  return place?.toLowerCase() ?? key;
+}
+
 /** Whether a key press is the shortcut `Mod+Shift+K`. Letters match in either case. */
 export function matchesShortcut(press: KeyPress, shortcut: string, mac: boolean): boolean {
   const parts = shortcut.split('+');
@@ -36,7 +51,7 @@ export function matchesShortcut(press: KeyPress, shortcut: string, mac: boolean)
   const mod = mac ? press.metaKey : press.ctrlKey;
   const other = mac ? press.ctrlKey : press.metaKey;
   return (
-    press.key.toLowerCase() === key.toLowerCase() &&
+    keyOf(press).toLowerCase() === key.toLowerCase() &&
     mod === parts.includes('Mod') &&
     !other &&
     press.altKey === parts.includes('Alt') &&

@@ -2,9 +2,9 @@ import type { Vec3 } from '../geometry/vec.ts';
 import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
 import type { Stretch } from '../model/report.ts';
 import type { SketchSymmetry } from '../model/sketch.ts';
-import type { SketchFault } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { Section } from './controls.tsx';
+import { faultSentence, mendWords } from './fault-words.ts';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { formatNumber, formatPoint } from './text/language.ts';
@@ -27,10 +27,10 @@ export function SketchFaults() {
           <li key={`${fault.kind}${fault.lines.join()}`} class="fault">
             <button type="button" class="problem" onClick={() => page.showPlace(fault.at)}>
               <Icon name="alert" />
-              <span>{sentence(fault)}</span>
+              <span>{faultSentence(fault)}</span>
             </button>
             <button type="button" class="button secondary small" onClick={() => page.mend(fault)}>
-              {fault.kind === 'twin' ? text.faults.mendTwin : text.faults.mendCrossing}
+              {mendWords(fault)}
             </button>
           </li>
         ))}
@@ -40,12 +40,6 @@ export function SketchFaults() {
       ) : null}
     </section>
   );
-}
-
-function sentence(fault: SketchFault): string {
-  const [a, b] = fault.lines;
-  const words = fault.kind === 'twin' ? text.faults.twin : text.faults.crossing;
-  return fillWords(words, { a: a + 1, b: b + 1 });
 }
 
 /** Symmetries: those that hold, and those that the program has found. */

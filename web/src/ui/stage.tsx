@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { CommandButton } from './controls.tsx';
+import { FirstSteps } from './first-steps.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { PartCard } from './part-card.tsx';
@@ -36,6 +37,7 @@ export function Stage() {
       <div class="stage-top">
         <ToolOptions />
         <Invitation />
+        <FirstSteps />
         <Hint />
       </div>
       <PartCard />

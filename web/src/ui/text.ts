@@ -3,6 +3,7 @@ import { COMMANDS_DE } from './text/de/commands.ts';
 import { DIALOGS_DE } from './text/de/dialogs.ts';
 import { DRAW_DE } from './text/de/draw.ts';
 import { FILES_DE } from './text/de/files.ts';
+import { PLACES_DE } from './text/de/places.ts';
 import { SKETCH_DE } from './text/de/sketch.ts';
 import { SOLVE_DE } from './text/de/solve.ts';
 import { VIEW_DE } from './text/de/view.ts';
@@ -11,6 +12,7 @@ import { COMMANDS_EN } from './text/en/commands.ts';
 import { DIALOGS_EN } from './text/en/dialogs.ts';
 import { DRAW_EN } from './text/en/draw.ts';
 import { FILES_EN } from './text/en/files.ts';
+import { PLACES_EN } from './text/en/places.ts';
 import { SKETCH_EN } from './text/en/sketch.ts';
 import { SOLVE_EN } from './text/en/solve.ts';
 import { VIEW_EN } from './text/en/view.ts';
@@ -22,6 +24,7 @@ const EN = {
   ...DIALOGS_EN,
   ...DRAW_EN,
   ...FILES_EN,
+  ...PLACES_EN,
   ...SKETCH_EN,
   ...SOLVE_EN,
   ...VIEW_EN,
@@ -34,6 +37,7 @@ export const text = chooseWords(EN, {
   ...DIALOGS_DE,
   ...DRAW_DE,
   ...FILES_DE,
+  ...PLACES_DE,
   ...SKETCH_DE,
   ...SOLVE_DE,
   ...VIEW_DE,

@@ -1,5 +1,7 @@
+import { useRef } from 'preact/hooks';
 import type { PlaneMode } from '../tools/tool.ts';
 import { CommandButton, Segmented } from './controls.tsx';
+import { useOverflowCue } from './overflow-cue.ts';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
 
@@ -26,6 +28,9 @@ const HOLE_AXES = [
   ['holeAxisZ', 'Z'],
 ] as const;
 
+/** How sizes are typed, by how many there are. */
+const SIZES_LIKE: Readonly<Record<number, string>> = { 2: '6,8', 3: '6,8,4' };
+
 /** What goes with the tool in use: the plane and the length, or what can be done to the selection. */
 export function ToolOptions() {
   const page = usePage();
@@ -37,25 +42,28 @@ export function ToolOptions() {
     return (
       <div class="tool-options floating">
         <PlaneChoice />
-        <LengthField />
+        <SizeField />
       </div>
     );
   }
-  if (tool.id === 'select' && selected > 0) {
-    return (
-      <div class="tool-options floating" role="toolbar" aria-label={text.groups.edit}>
-        <span class="selection-count">{selected}</span>
-        {SELECTION_COMMANDS.map((id) => (
-          <CommandButton key={id} id={id} />
-        ))}
-        {HOLE_AXES.map(([id, letter]) => (
-          <CommandButton key={id} id={id} words={letter} named={true} class="plain axis-button" />
-        ))}
-        <CommandButton id="delete" />
-      </div>
-    );
-  }
-  return null;
+  return tool.id === 'select' && selected > 0 ? <SelectionOptions selected={selected} /> : null;
+}
+
+function SelectionOptions({ selected }: { readonly selected: number }) {
+  const row = useRef<HTMLDivElement>(null);
+  useOverflowCue(row);
+  return (
+    <div ref={row} class="tool-options floating" role="toolbar" aria-label={text.groups.edit}>
+      <span class="selection-count">{selected}</span>
+      {SELECTION_COMMANDS.map((id) => (
+        <CommandButton key={id} id={id} />
+      ))}
+      {HOLE_AXES.map(([id, letter]) => (
+        <CommandButton key={id} id={id} words={letter} named={true} class="plain axis-button" />
+      ))}
+      <CommandButton id="delete" />
+    </div>
+  );
 }
 
 function PlaneChoice() {
@@ -77,22 +85,25 @@ function PlaneChoice() {
   );
 }
 
-function LengthField() {
+/** The size typed so far; the drawing keeps the keys, and gets them back after Enter. */
+function SizeField() {
   const page = usePage();
-  const { typed, preview, label } = page.tool.value.overlay.value;
+  const { typed, preview, label, sizes } = page.tool.value.overlay.value;
+  const several = sizes > 1;
   return (
     <label class="length-field">
-      <span>{text.draw.length}</span>
+      <span>{several ? text.draw.size : text.draw.length}</span>
       <input
-        inputMode="numeric"
+        inputMode={several ? 'decimal' : 'numeric'}
         autocomplete="off"
         value={typed}
-        placeholder={label?.main ?? '–'}
-        disabled={!preview}
+        placeholder={label?.main ?? (several ? SIZES_LIKE[sizes] : '–')}
+        disabled={!preview && !several}
         onInput={(event) => page.typeLength(event.currentTarget.value)}
         onKeyDown={(event) => {
           if (event.key === 'Enter') {
             page.tool.value.key({ key: 'Enter', shift: false });
+            page.focusDrawing();
           }
         }}
       />

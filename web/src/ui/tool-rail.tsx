@@ -1,29 +1,61 @@
-import { CommandButton } from './controls.tsx';
+import { useRef } from 'preact/hooks';
+import { Keys } from './controls.tsx';
+import { Icon } from './icon.tsx';
+import { useOverflowCue } from './overflow-cue.ts';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
 
+type Tile = keyof typeof text.toolShort;
+
 /** The commands of the rail, in groups. */
-const GROUPS: readonly (readonly string[])[] = [
-  ['tool.select', 'tool.line', 'tool.rectangle', 'tool.box', 'tool.grid', 'tool.hexagon'],
-  ['tool.split', 'tool.array', 'tool.measure'],
-  ['tool.joint', 'tool.keepOut'],
+const GROUPS: readonly (readonly Tile[])[] = [
+  ['select', 'line', 'rectangle', 'box', 'grid', 'hexagon'],
+  ['joint', 'keepOut'],
+  ['split', 'array', 'measure'],
+  ['delete'],
 ];
 
-/** The tools, one of them in use, and delete. */
+/** The tools by their names, one of them in use, and delete. */
 export function ToolRail() {
-  const { commands } = usePage();
+  const rail = useRef<HTMLDivElement>(null);
+  useOverflowCue(rail);
   return (
-    <div class="tool-rail" role="toolbar" aria-label={text.app.tools} aria-orientation="vertical">
-      {GROUPS.map((group, i) => (
-        <div class="rail-group" key={commands.get(group[0] ?? '').id} data-group={i}>
-          {group.map((id) => (
-            <CommandButton key={id} id={id} />
-          ))}
-        </div>
-      ))}
-      <div class="rail-group">
-        <CommandButton id="delete" />
+    <div class="rail-frame">
+      <div
+        ref={rail}
+        class="tool-rail"
+        role="toolbar"
+        aria-label={text.app.tools}
+        aria-orientation="vertical"
+      >
+        {GROUPS.map((group) => (
+          <div class="rail-group" key={group[0]}>
+            {group.map((tile) => (
+              <RailTool key={tile} tile={tile} />
+            ))}
+          </div>
+        ))}
       </div>
     </div>
+  );
+}
+
+function RailTool({ tile }: { readonly tile: Tile }) {
+  const { commands } = usePage();
+  const command = commands.get(tile === 'delete' ? tile : `tool.${tile}`);
+  return (
+    <button
+      type="button"
+      class="rail-tool"
+      aria-label={command.label}
+      title={command.label}
+      aria-pressed={command.checked?.()}
+      disabled={command.when ? !command.when() : false}
+      onClick={command.run}
+    >
+      <Icon name={command.icon} />
+      <span>{text.toolShort[tile]}</span>
+      {command.shortcut?.length === 1 ? <Keys shortcut={command.shortcut} /> : null}
+    </button>
   );
 }

@@ -1,6 +1,8 @@
 import { CommandButton, IconButton } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
+import { findRoom } from './rooms/room-table.ts';
+import { Spine } from './spine.tsx';
 import { text } from './text.ts';
 
 /** Three holes of a beam: the mark of the program. */
@@ -15,24 +17,19 @@ function Mark() {
   );
 }
 
-/** Name, files, undo, search, sharing and theme. */
+/** Menu, name, the places, undo, search, help and theme. It stays when a room is open. */
 export function TopBar() {
   const page = usePage();
-  const { store, dialog, mac } = page;
+  const { store, room } = page;
+  const drawing = findRoom(room.value) === null;
   return (
-    <header class="top-bar">
+    <header class={drawing ? 'top-bar' : 'top-bar in-room'}>
       <h1 class="brand">
         <Mark />
         <span>{text.app.name}</span>
       </h1>
-      <span class="divider wide-only" />
-      <CommandButton id="examples" words={text.examples.title} class="wide-only plain" />
-      <CommandButton id="sketches" class="wide-only" />
-      <CommandButton id="open" class="wide-only" />
+      <MenuButton />
       <CommandButton id="new" class="wide-only" />
-      <span class="divider wide-only" />
-      <CommandButton id="undo" />
-      <CommandButton id="redo" />
       <input
         class="name-field"
         aria-label={text.app.sketchName}
@@ -42,29 +39,32 @@ export function TopBar() {
         spellcheck={false}
         onChange={(event) => page.rename(event.currentTarget.value)}
       />
-      <button
-        type="button"
-        class="search-button wide-only"
-        onClick={() => {
-          dialog.value = 'palette';
-        }}
-      >
-        <Icon name="search" />
-        <span>{text.palette.placeholder}</span>
-        <kbd>{mac ? '⌘K' : 'Ctrl K'}</kbd>
-      </button>
-      <CommandButton id="share" class="wide-only" />
-      <CommandButton id="help" class="wide-only" />
-      <ThemeButton />
-      <IconButton
-        icon="menu"
-        label={text.app.menu}
-        class="narrow-only"
-        onClick={() => {
-          dialog.value = 'palette';
-        }}
-      />
+      <Spine />
+      <div class="bar-end">
+        <CommandButton id="undo" class={drawing ? '' : 'away'} />
+        <CommandButton id="redo" class={drawing ? '' : 'away'} />
+        <CommandButton id="palette" class="wide-only" />
+        <CommandButton id="help" class="wide-only" />
+        <ThemeButton />
+      </div>
     </header>
+  );
+}
+
+function MenuButton() {
+  const { dialog } = usePage();
+  return (
+    <button
+      type="button"
+      class="button plain menu-button"
+      aria-label={text.app.menu}
+      onClick={() => {
+        dialog.value = 'menu';
+      }}
+    >
+      <Icon name="menu" />
+      <span>{text.app.menu}</span>
+    </button>
   );
 }
 

@@ -60,6 +60,7 @@ const DIALOGS: readonly (readonly [
   string,
   string | undefined,
 ])[] = [
+  ['menu', 'menu', text.commands.menu, undefined],
   ['palette', 'search', text.commands.palette, 'Mod+K'],
   ['help', 'help', text.commands.help, '?'],
   ['about', 'info', text.commands.about, undefined],
@@ -73,6 +74,7 @@ export function viewCommands(actions: Actions): Command[] {
     ...choices(actions, 'colourBy', 'palette', COLOURS),
     ...choices(actions, 'theme', 'theme', THEMES),
     themeNext(actions),
+    guide(actions),
     ...choices(actions, 'language', 'language', LANGUAGES),
     ...DIALOGS.map(
       ([id, icon, label, shortcut]): Command => ({
@@ -146,6 +148,20 @@ function themeNext({ state }: Actions): Command {
     run: () => {
       const theme = state.themeName.value === 'dark' ? 'light' : 'dark';
       state.preferences.value = { ...state.preferences.value, theme };
+    },
+  };
+}
+
+/** The first task in steps: on for a newcomer, and for whoever wants it again. */
+function guide({ state: { preferences } }: Actions): Command {
+  return {
+    id: 'guide',
+    label: text.commands.guide,
+    group: 'help',
+    icon: 'info',
+    checked: () => preferences.value.guide,
+    run: () => {
+      preferences.value = { ...preferences.value, guide: !preferences.value.guide };
     },
   };
 }

@@ -1,5 +1,4 @@
 import { useState } from 'preact/hooks';
-import { Section } from '../controls.tsx';
 import { Icon, type IconName } from '../icon.tsx';
 import type { ResultState, ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
@@ -23,7 +22,11 @@ export function ChecksSection({ result }: { readonly result: ResultState }) {
   }
   const good = result.items.filter((item) => item.ok).length;
   return (
-    <Section title={text.result.checks} note={`${good} / ${result.items.length}`}>
+    <section class="checks-section">
+      <header>
+        <h3>{text.result.checks}</h3>
+        <span class="quiet">{`${good} / ${result.items.length}`}</span>
+      </header>
       <ul class="checks">
         {result.items.map((item) => (
           <li key={item.id} class={item.ok ? 'ok' : 'bad'}>
@@ -38,12 +41,18 @@ export function ChecksSection({ result }: { readonly result: ResultState }) {
           ? CHECK_VIEWS.map((view) => <CheckRow key={view.id} view={view} shown={shown} />)
           : null}
       </ul>
-    </Section>
+    </section>
   );
 }
 
 /** One further check: a tick, a number, and what it opens to. */
-function CheckRow({ view, shown }: { readonly view: CheckView; readonly shown: ShownModel }) {
+export function CheckRow({
+  view,
+  shown,
+}: {
+  readonly view: CheckView;
+  readonly shown: ShownModel;
+}) {
   const page = usePage();
   const [open, setOpen] = useState(false);
   const { state, number } = view.status(page, shown);

@@ -3,6 +3,7 @@ import { fillWords } from '../../tools/tool-words.ts';
 import { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { Segmented } from '../controls.tsx';
 import { modelComing } from '../model-coming.ts';
+import { NeedsModel } from '../needs-model.tsx';
 import type { ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
 import type { Book } from './book.ts';
@@ -36,7 +37,7 @@ export function InstructionsRoom() {
   return shown && shown.model.parts.length > 0 ? (
     <Instructions key={shown.json} shown={shown} title={page.store.sketch.value.name || 'Model'} />
   ) : (
-    <p class="instructions-note">{words.noModel}</p>
+    <NeedsModel />
   );
 }
 

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { BuildStep } from '../../instructions/build-steps.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { Icon } from '../icon.tsx';
+import { text } from '../text.ts';
 import type { Book } from './book.ts';
 import { instructionWords as words } from './instruction-words.ts';
 import { ApartTile, PartTile } from './part-tile.tsx';
@@ -72,7 +73,7 @@ export function StepsView({ book, json }: { readonly book: Book; readonly json: 
   });
   const step = book.steps[index];
   if (!step) {
-    return <p role="alert">{words.noModel}</p>;
+    return <p role="alert">{text.places.needsModel}</p>;
   }
   return (
     <div

@@ -36,7 +36,7 @@ export function RoomHost({ room }: { readonly room: Room }) {
         <h2 id="room-title" ref={heading} tabIndex={-1}>
           {room.title}
         </h2>
-        <CommandButton id="themeNext" class="room-theme" />
+        <CommandButton id="themeNext" class="room-theme narrow-only" />
       </header>
       <div class="room-body">
         {loaded === 'loading' ? <p class="quiet">{text.app.loading}</p> : null}

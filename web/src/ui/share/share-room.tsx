@@ -4,6 +4,7 @@ import { sharedState } from '../../share/shared-state.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import { modelComing } from '../model-coming.ts';
+import { NeedsModel } from '../needs-model.tsx';
 import { usePage } from '../page-context.ts';
 import { FileList } from './file-list.tsx';
 import { LinkSection } from './link-section.tsx';
@@ -40,7 +41,7 @@ export function ShareRoom() {
   // A layout that is still being improved is nothing to take away.
   const shown = solving ? null : page.shown.value;
   if (sketch.lines.length === 0 && !shown) {
-    return <p class="share-empty">{shareWords.empty}</p>;
+    return <NeedsModel />;
   }
   const title = sketch.name || 'model';
   const eye = page.view()?.viewDirection();

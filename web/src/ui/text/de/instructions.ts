@@ -2,7 +2,6 @@ import type { INSTRUCTIONS_EN } from '../en/instructions.ts';
 import type { Words } from '../language.ts';
 
 export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
-  noModel: 'Es gibt noch kein Modell. Geh zurück und erzeuge eins; hier steht dann die Anleitung.',
   working: 'Die Reihenfolge wird berechnet…',
   failed: 'Die Reihenfolge konnte nicht berechnet werden: {message}',
   stuck: 'Nicht jedes Teil lässt sich gerade einsetzen. Schritte mit Warnung brauchen etwas Kraft.',

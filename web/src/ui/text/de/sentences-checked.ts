@@ -4,7 +4,7 @@ import type { Sentences } from '../sentences.ts';
 
 const CHECKS: Sentences = [
   [
-    'Every part is real and placed by a proper rotation',
+    'Every part is a real one, neither mirrored nor bent',
     'Jedes Teil gibt es, und es ist weder gespiegelt noch verzerrt',
   ],
   [
@@ -17,8 +17,8 @@ const CHECKS: Sentences = [
   ],
   ['All parts hang together', 'Alle Teile hängen zusammen'],
   [
-    'Every unit edge of the sketch is covered or bridged',
-    'Jedes Modul der Skizze ist bedeckt oder überbrückt',
+    'Every line of the sketch is there from end to end',
+    'Jede Linie der Skizze ist von Ende zu Ende da',
   ],
   [
     'It can be taken apart, so it can be put together',
@@ -27,18 +27,18 @@ const CHECKS: Sentences = [
   ['Every joint turns', 'Jedes Gelenk dreht sich'],
   ['{n} parts', '{n} Teile'],
   ['{n} heads in holes', '{n} Köpfe in Löchern'],
+  ['pieces drawn: {n}, pieces built: {m}', 'gezeichnete Stücke: {n}, gebaute Stücke: {m}'],
   [
-    '{n} assemblies for {m} connected parts of the sketch',
-    '{n} Baugruppen für {m} zusammenhängende Stücke der Skizze',
+    'modules of line: {n}, bridged by connectors: {m}',
+    'Module der Linien: {n}, davon überbrückt: {m}',
   ],
-  ['{n} unit edges, {m} of them bridged', '{n} Module, {m} davon überbrückt'],
   [
     '{n} collisions, {m} parts in forbidden places',
     '{n} Kollisionen, {m} Teile an verbotenen Orten',
   ],
   [
-    '{n} moves, {m} subassemblies, {k} parts stuck',
-    '{n} Züge, {m} Untergruppen, {k} Teile sitzen fest',
+    'moves: {n}, groups built apart: {m}, parts stuck: {k}',
+    'Züge: {n}, einzeln gebaute Gruppen: {m}, festsitzende Teile: {k}',
   ],
   ['{n} of {m} joints turn', '{n} von {m} Gelenken drehen sich'],
   ['no sketch in the file: nothing to cover', 'keine Skizze in der Datei: nichts zu bedecken'],
@@ -50,8 +50,8 @@ const PROBLEMS: Sentences = [
   ['the model has no parts', 'das Modell hat keine Teile'],
   ['{part} is not a part of the catalogue', '{part} ist kein Teil des Katalogs'],
   [
-    '{part} is mirrored, scaled or skewed: its rotation is not a proper one',
-    '{part} ist gespiegelt, vergrößert oder verzerrt: Seine Drehung ist keine',
+    '{part} is mirrored, scaled or skewed: no real part is',
+    '{part} ist gespiegelt, vergrößert oder verzerrt: Kein echtes Teil ist das',
   ],
   ['a round pin does not go into an axle hole', 'ein runder Pin geht nicht in ein Achsloch'],
   [

@@ -3,7 +3,6 @@ import type { Words } from '../language.ts';
 
 export const SHARE_DE: Words<typeof SHARE_EN> = {
   title: 'Teilen und herunterladen',
-  empty: 'Zeichne zuerst etwas: Es gibt noch nichts zu teilen.',
   linkTitle: 'Link',
   linkText:
     'Der Link enthält die Skizze, die Einstellungen und den Startwert. Nichts wird hochgeladen: Wer ihn öffnet, bekommt dasselbe Modell, berechnet im eigenen Browser. Ein Modell, das nach einer Änderung aus dem vorigen entstanden ist, entsteht dort von vorn, wie durch „Neu erzeugen“.',

@@ -72,7 +72,7 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     gaps: 'Lücken',
     collisions: 'Zusammenstöße',
     failedConnections: 'Fehlende Verbindungen',
-    uncovered: 'Freie Kanten',
+    uncovered: 'Freie Linienstücke',
     seconds: 'Zeit',
     secondsText: '{n} s',
     mass: 'Masse',

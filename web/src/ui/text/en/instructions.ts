@@ -1,7 +1,6 @@
 // Building instructions: on screen, on paper, as a film.
 
 export const INSTRUCTIONS_EN = {
-  noModel: 'There is no model yet. Go back and generate one; its instructions come here.',
   working: 'Working out the order of building…',
   failed: 'The order of building could not be worked out: {message}',
   stuck:

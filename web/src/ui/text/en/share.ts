@@ -2,7 +2,6 @@
 
 export const SHARE_EN = {
   title: 'Share and download',
-  empty: 'Draw something first: there is nothing to share yet.',
   linkTitle: 'Link',
   linkText:
     'The link holds the sketch, the settings and the seed. Nothing is uploaded: whoever opens it gets the same model, computed in their own browser. A model that went on from the one before an edit is made anew there, as by “Generate again”.',

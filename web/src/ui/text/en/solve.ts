@@ -68,7 +68,7 @@ export const SOLVE_EN = {
     gaps: 'Gaps',
     collisions: 'Collisions',
     failedConnections: 'Failed connections',
-    uncovered: 'Uncovered edges',
+    uncovered: 'Bare pieces of line',
     seconds: 'Time',
     secondsText: '{n} s',
     mass: 'Mass',

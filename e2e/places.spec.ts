@@ -1,0 +1,109 @@
+// Every place has its name in sight, an address of its own, and says what it lacks.
+import type { Page } from '@playwright/test';
+import { linkOf, publicSketch } from './helpers/links.ts';
+import { expect, goTo, openPage, test } from './helpers/test.ts';
+
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
+const NAMES = ['Draw', 'Check', 'Move', 'Build', 'Share', 'Gallery', 'Learn'] as const;
+const EMPTY = { format: 'technic-sketch', version: 1, name: 'Nothing', lines: [] } as const;
+
+/** Opens the page with nothing drawn. */
+async function openNothing(page: Page, place: string): Promise<void> {
+  await page.goto(`./?room=${place}${await linkOf(EMPTY as never)}`);
+}
+
+for (const [device, size] of [
+  ['a desk', { width: 1280, height: 800 }],
+  ['a phone', { width: 390, height: 844 }],
+] as const) {
+  test.describe(`on ${device}`, () => {
+    test.use({ viewport: size });
+
+    test('all places are in sight from every place, large enough for a finger', async ({
+      page,
+    }) => {
+      await openPage(page);
+      for (const name of NAMES) {
+        await goTo(page, name);
+        for (const other of NAMES) {
+          const link = page.getByRole('link', { name: other, exact: true });
+          await expect(link).toBeInViewport({ ratio: 1 });
+          const box = await link.boundingBox();
+          expect(box?.height, other).toBeGreaterThanOrEqual(36);
+          expect(box?.width, other).toBeGreaterThanOrEqual(44);
+        }
+      }
+    });
+  });
+}
+
+test('a place has an address, and the back button leaves it', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Check');
+  await expect(page).toHaveURL(/[?&]room=check/);
+  await goTo(page, 'Build');
+  await expect(page).toHaveURL(/[?&]room=instructions/);
+  await page.goBack();
+  await expect(page.getByRole('link', { name: 'Check' })).toHaveAttribute('aria-current', 'page');
+  await expect(page.getByRole('heading', { name: 'Checks' })).toBeVisible({ timeout: 60_000 });
+  await page.goBack();
+  await expect(page.getByRole('link', { name: 'Draw' })).toHaveAttribute('aria-current', 'page');
+});
+
+test('an address opens its place', async ({ page }) => {
+  await page.goto(`./?room=move${await linkOf(publicSketch('examples/seesaw'))}`);
+  await expect(page.getByRole('slider', { name: 'Angle' })).toBeVisible({ timeout: 90_000 });
+});
+
+for (const place of ['check', 'move', 'instructions', 'share']) {
+  test(`the place ${place} says that it needs a model, and the way to one`, async ({ page }) => {
+    await openNothing(page, place);
+    await expect(page.getByText('There is no model here yet.')).toBeVisible();
+    await page.getByRole('button', { name: 'Go and draw' }).click();
+    await expect(page.getByRole('link', { name: 'Draw' })).toHaveAttribute('aria-current', 'page');
+  });
+}
+
+test('who takes a tool in another place is back at the drawing', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Move');
+  await page.getByRole('button', { name: 'Put a joint' }).click();
+  await expect(page.getByRole('link', { name: 'Draw' })).toHaveAttribute('aria-current', 'page');
+  await expect(page.getByRole('button', { name: 'Joint' })).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('the menu has groups, and what is chosen in it is done', async ({ page }) => {
+  await openPage(page);
+  await page.getByRole('button', { name: 'Menu', exact: true }).click();
+  const menu = page.getByRole('dialog', { name: 'Menu' });
+  for (const group of ['Save', 'Change', 'Looks', 'Help']) {
+    await expect(menu.getByRole('heading', { name: group, exact: true })).toBeVisible();
+  }
+  await menu.getByRole('button', { name: 'Theme: dark' }).click();
+  await expect(menu).toBeHidden();
+  await expect(page.locator('html')).toHaveAttribute('data-theme', 'dark');
+});
+
+test.describe('a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test('keeps half the height for the drawing, also with the sheet open', async ({ page }) => {
+    await openPage(page);
+    const height = async () => (await page.locator('.scene canvas').boundingBox())?.height ?? 0;
+    await expect.poll(height).toBeGreaterThanOrEqual(422);
+    await page.getByRole('button', { name: 'Show result and settings' }).tap();
+    await expect.poll(height).toBeGreaterThanOrEqual(420);
+    await goTo(page, 'Check');
+    await expect.poll(height).toBeGreaterThanOrEqual(420);
+  });
+
+  test('shows where the row of tools goes on', async ({ page }) => {
+    await openPage(page);
+    const rail = page.getByRole('toolbar', { name: 'Tools' });
+    await expect(rail).toHaveAttribute('data-more', 'end');
+    await rail.evaluate((row) => row.scrollTo({ left: row.scrollWidth }));
+    await expect(rail).toHaveAttribute('data-more', 'start');
+  });
+});

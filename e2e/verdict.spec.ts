@@ -1,0 +1,66 @@
+// One honest verdict: nothing green above something red, and nothing jumps while it is found out.
+import type { Page } from '@playwright/test';
+import { scaffold } from './helpers/sketches.ts';
+import { expect, generate, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
+function square(y: number) {
+  const corners = [
+    [0, y, 0],
+    [8, y, 0],
+    [8, y, 6],
+    [0, y, 6],
+  ];
+  return corners.map((from, i) => ({ from, to: corners[(i + 1) % 4] }));
+}
+
+const sketch = (lines: readonly unknown[]) =>
+  JSON.stringify({ format: 'technic-sketch', version: 1, lines });
+
+const card = (page: Page) => page.locator('.verdict-card');
+
+test('a drawing that cannot be built is never green, and is mended by a click', async ({
+  page,
+}) => {
+  await openEmpty(page);
+  const lines = [
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [3.5, -4, 0], to: [3.5, 4, 0] },
+  ];
+  await openText(page, sketch(lines));
+  await expect(card(page)).toContainText('Cannot be built as drawn');
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  await expect(card(page)).toHaveClass(/\bbad\b/, { timeout: 60_000 });
+  await expect(card(page).locator('.lamp.ok')).toHaveCount(0);
+  await page.getByRole('button', { name: 'Move to nodes' }).click();
+  await generate(page);
+  await expect(card(page)).toContainText('Buildable');
+  const [, moved] = (await savedSketch(page)).lines as { from: number[] }[];
+  expect(Number.isInteger(moved?.from[0])).toBe(true);
+});
+
+test('two pieces are never green without a word, and the lesser one is shown', async ({ page }) => {
+  await openEmpty(page);
+  await openText(page, sketch([...square(0), { from: [0, 9, 0], to: [6, 9, 0] }]));
+  await generate(page);
+  await expect(card(page)).toContainText('Buildable, but in 2 pieces', { timeout: 60_000 });
+  await expect(card(page)).toHaveClass(/\bwarn\b/);
+  await page.getByRole('button', { name: 'Show where' }).click();
+  await expect(page.locator('.selection-count')).toHaveText('1');
+});
+
+test('the panel keeps its places while a search runs', async ({ page }) => {
+  await openEmpty(page);
+  await openText(page, scaffold(3));
+  const top = async (name: RegExp) =>
+    (await page.getByRole('button', { name }).boundingBox())?.y ?? 0;
+  const before = await top(/^Generate/);
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  const during = await top(/^Cancel|^Generate/);
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 90_000 });
+  const after = await top(/^Generate/);
+  expect(Math.abs(during - before)).toBeLessThanOrEqual(1);
+  expect(Math.abs(after - before)).toBeLessThanOrEqual(1);
+});

@@ -1,0 +1,104 @@
+import type { CheckItem, Problem, WellBuiltItem } from './report.ts';
+
+/** How one lamp shines: `none` where there is nothing to judge, `busy` while it is being found out. */
+export type LampState = 'ok' | 'warn' | 'bad' | 'none' | 'busy';
+
+/** What a person asks of a model, in the order in which it is asked. */
+export type LampId = 'buildable' | 'wellBuilt' | 'stands' | 'moves';
+
+export interface Lamp {
+  readonly id: LampId;
+  readonly state: LampState;
+}
+
+/** What is wrong first; one thing, so that one sentence can say it and one place can be lit. */
+export type FirstWrong =
+  | { readonly kind: 'fault' }
+  | { readonly kind: 'problem'; readonly index: number; readonly problem: Problem }
+  | { readonly kind: 'item'; readonly item: CheckItem }
+  | { readonly kind: 'missing'; readonly count: number }
+  | { readonly kind: 'pieces'; readonly count: number }
+  | { readonly kind: 'falls' }
+  | { readonly kind: 'wellBuilt'; readonly item: WellBuiltItem };
+
+/** One verdict on a drawing and its model: never better than the worst that is known of them. */
+export interface Verdict {
+  readonly tone: LampState;
+  readonly lamps: readonly Lamp[];
+  readonly first: FirstWrong | null;
+}
+
+/** All that the verdict is made of. What is not known yet is left out. */
+export interface VerdictInput {
+  /** Places of the drawing that no parts can make. */
+  readonly faults: number;
+  readonly buildable: boolean;
+  readonly items: readonly CheckItem[];
+  readonly problems: readonly Problem[];
+  /** Connected pieces that the drawing consists of. */
+  readonly pieces: number;
+  /** Parts of the model that the person does not have. */
+  readonly missing: number;
+  readonly stands?: boolean | undefined;
+  /** Joints that were drawn. */
+  readonly joints: number;
+  readonly wellBuilt?: readonly WellBuiltItem[] | undefined;
+}
+
+const JOINTS = 'joints';
+
+/** The verdict on a model that is finished and made for the drawing on screen. */
+export function verdictOf(input: VerdictInput): Verdict {
+  const lamps = lampsOf(input);
+  const first = firstWrong(input);
+  return { tone: first === null ? worst(lamps) : toneOf(first), lamps, first };
+}
+
+function lampsOf(input: VerdictInput): Lamp[] {
+  const { faults, buildable, pieces, missing, stands, joints, wellBuilt } = input;
+  const known = wellBuilt?.filter(({ applies }) => applies !== false);
+  const turns = input.items.find(({ id }) => id === JOINTS)?.ok;
+  const made: LampState = pieces > 1 || missing > 0 ? 'warn' : 'ok';
+  return [
+    { id: 'buildable', state: buildable && faults === 0 ? made : 'bad' },
+    ...(known
+      ? [{ id: 'wellBuilt', state: known.every(({ ok }) => ok) ? 'ok' : 'warn' } as const]
+      : []),
+    { id: 'stands', state: stands === undefined ? 'none' : stands ? 'ok' : 'warn' },
+    { id: 'moves', state: joints === 0 ? 'none' : turns === false ? 'bad' : 'ok' },
+  ];
+}
+
+/** In the order of what must be mended before the rest can be: drawing, parts, then how it is built. */
+function firstWrong(input: VerdictInput): FirstWrong | null {
+  if (input.faults > 0) {
+    return { kind: 'fault' };
+  }
+  if (!input.buildable) {
+    const [problem] = input.problems;
+    const item = input.items.find(({ ok }) => !ok);
+    return problem
+      ? { kind: 'problem', index: 0, problem }
+      : { kind: 'item', item: item ?? { id: '', title: '', ok: false, detail: '' } };
+  }
+  if (input.missing > 0) {
+    return { kind: 'missing', count: input.missing };
+  }
+  if (input.pieces > 1) {
+    return { kind: 'pieces', count: input.pieces };
+  }
+  if (input.stands === false) {
+    return { kind: 'falls' };
+  }
+  const item = input.wellBuilt?.find(({ ok, applies }) => !ok && applies !== false);
+  return item ? { kind: 'wellBuilt', item } : null;
+}
+
+function toneOf({ kind }: FirstWrong): LampState {
+  return kind === 'fault' || kind === 'problem' || kind === 'item' ? 'bad' : 'warn';
+}
+
+function worst(lamps: readonly Lamp[]): LampState {
+  const states = lamps.map(({ state }) => state);
+  return (['bad', 'warn', 'busy'] as const).find((state) => states.includes(state)) ?? 'ok';
+}

@@ -1,0 +1,54 @@
+import { CheckRow } from './checks/checks-section.tsx';
+import { FREEDOMS_CHECK } from './checks/freedoms.tsx';
+import { JOINTS_CHECK } from './checks/joints.tsx';
+import { NeedsModel } from './needs-model.tsx';
+import type { ShownModel } from './page.ts';
+import { usePage } from './page-context.ts';
+import { text } from './text.ts';
+
+/** The place for motion: each joint turned, and what else moves. */
+export function MovePanel() {
+  const page = usePage();
+  const shown = page.shown.value;
+  if (!shown || !page.result.value?.final) {
+    return <NeedsModel />;
+  }
+  const joints = page.store.sketch.value.joints?.length ?? 0;
+  return (
+    <>
+      <section class="move-joints">{joints > 0 ? <Joints shown={shown} /> : <NoJoints />}</section>
+      <section class="checks-section">
+        <h3>{text.places.looseTitle}</h3>
+        <ul class="checks">
+          <CheckRow view={FREEDOMS_CHECK} shown={shown} />
+        </ul>
+      </section>
+    </>
+  );
+}
+
+function Joints({ shown }: { readonly shown: ShownModel }) {
+  const page = usePage();
+  // Asks for the study; what it opens to waits for the answer.
+  const { state } = JOINTS_CHECK.status(page, shown);
+  return (
+    <>
+      <h3>{text.places.jointsTitle}</h3>
+      {state === 'busy' ? <p class="quiet">{text.app.loading}</p> : null}
+      <JOINTS_CHECK.component shown={shown} />
+    </>
+  );
+}
+
+function NoJoints() {
+  const page = usePage();
+  return (
+    <>
+      <h3>{text.places.noJoints}</h3>
+      <p class="quiet">{text.places.noJointsText}</p>
+      <button type="button" class="button primary" onClick={() => page.commands.run('tool.joint')}>
+        {text.places.addJoint}
+      </button>
+    </>
+  );
+}

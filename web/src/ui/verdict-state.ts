@@ -1,0 +1,156 @@
+import { shortages } from '../model/brick-set.ts';
+import { type FirstWrong, type Lamp, type LampState, verdictOf } from '../model/verdict.ts';
+import { fillWords } from '../tools/tool-words.ts';
+import { faultSentence } from './fault-words.ts';
+import type { Page, ResultState } from './page.ts';
+import { formatNumber } from './text/language.ts';
+import { inWords } from './text/sentences.ts';
+import { text } from './text.ts';
+
+/** What the card at the head of the panel says. */
+export interface CardState {
+  readonly tone: LampState;
+  readonly title: string;
+  /** One sentence. */
+  readonly words: string;
+  /** What is wrong first in a finished model or in the drawing; null where nothing is, or is not known. */
+  readonly first: FirstWrong | null;
+  readonly lamps: readonly Lamp[];
+  /** It is about a finished model. */
+  readonly final: boolean;
+}
+
+const LAMPS = ['buildable', 'stands', 'moves'] as const;
+
+/** The one verdict on what is on screen: drawing, search and model together. Reads signals. */
+export function cardState(page: Page): CardState {
+  const { phase, message } = page.solve.value;
+  const shown = page.result.value;
+  if (phase === 'solving') {
+    return unfinished('busy', text.verdict.solving, searchWords(page));
+  }
+  if (page.faults.value.length > 0) {
+    return { ...faulty(page), lamps: lampsFor(page, shown), final: shown?.final === true };
+  }
+  if (phase === 'refused' || phase === 'failed') {
+    const title = phase === 'refused' ? text.verdict.fault : text.verdict.bad;
+    return { ...unfinished('bad', title, message), lamps: allLamps('bad') };
+  }
+  if (!shown?.final) {
+    return unfinished('none', text.result.noModel, noModelWords(page));
+  }
+  return page.stale.value ? stale(page) : finished(page, shown);
+}
+
+function unfinished(tone: LampState, title: string, words: string): CardState {
+  const lamps = allLamps(tone === 'busy' ? 'busy' : 'none');
+  return { tone, title, words, first: null, lamps, final: false };
+}
+
+function allLamps(buildable: LampState): Lamp[] {
+  const rest: LampState = buildable === 'busy' ? 'busy' : 'none';
+  return LAMPS.map((id) => ({ id, state: id === 'buildable' ? buildable : rest }));
+}
+
+function faulty(page: Page): Pick<CardState, 'tone' | 'title' | 'words' | 'first'> {
+  const [fault] = page.faults.value;
+  return {
+    tone: 'bad',
+    title: text.verdict.fault,
+    words: fault ? faultSentence(fault) : '',
+    first: { kind: 'fault' },
+  };
+}
+
+function lampsFor(page: Page, shown: ResultState | null): readonly Lamp[] {
+  return shown?.final && !page.stale.value ? judge(page, shown).lamps : allLamps('bad');
+}
+
+function stale(page: Page): CardState {
+  const coming = page.preferences.value.autoSolve && page.small.value;
+  const words = coming ? text.verdict.staleAuto : text.verdict.staleText;
+  return {
+    tone: 'none',
+    title: text.verdict.stale,
+    words,
+    first: null,
+    lamps: allLamps(coming ? 'busy' : 'none'),
+    final: true,
+  };
+}
+
+function finished(page: Page, shown: ResultState): CardState {
+  const { tone, lamps, first } = judge(page, shown);
+  const ofFile = shown.source === 'file' ? text.verdict.file : text.verdict.okText;
+  const [title, words] = first === null ? [text.verdict.ok, ofFile] : wordsFor(first);
+  return { tone, title, words, first, lamps, final: true };
+}
+
+function judge(page: Page, shown: ResultState) {
+  const { report } = shown;
+  const short = shortages(shown.rows, page.preferences.value.owned);
+  const sketch = page.shown.value?.sketch;
+  return verdictOf({
+    faults: page.faults.value.length,
+    buildable: shown.buildable,
+    items: shown.items,
+    problems: shown.problems,
+    pieces: report.pieces ?? 1,
+    missing: [...short.values()].reduce((sum, n) => sum + n, 0),
+    stands: report.balanced,
+    joints: sketch?.joints?.length ?? 0,
+    wellBuilt: report.wellBuilt?.items,
+  });
+}
+
+function wordsFor(first: FirstWrong): readonly [title: string, words: string] {
+  const { verdict } = text;
+  switch (first.kind) {
+    case 'fault':
+      return [verdict.fault, ''];
+    case 'problem':
+      return [verdict.bad, sentence(inWords(first.problem.message))];
+    case 'item':
+      return [verdict.bad, itemWords(first.item.title)];
+    case 'missing':
+      return [
+        verdict.missing,
+        first.count === 1 ? verdict.missingOne : fillWords(verdict.missingText, { n: first.count }),
+      ];
+    case 'pieces':
+      return [fillWords(verdict.pieces, { n: first.count }), verdict.piecesText];
+    case 'falls':
+      return [verdict.falls, verdict.fallsText];
+    case 'wellBuilt':
+      return [verdict.wellBuilt, sentence(inWords(first.item.detail || first.item.title))];
+  }
+}
+
+function itemWords(title: string): string {
+  return title === ''
+    ? text.verdict.badText
+    : fillWords(text.verdict.failedItem, { what: inWords(title) });
+}
+
+/** With a capital and a full stop: problems are said as parts of a sentence. */
+function sentence(words: string): string {
+  const begun = words.charAt(0).toUpperCase() + words.slice(1);
+  return /[.!?…]$/.test(begun) ? begun : `${begun}.`;
+}
+
+function searchWords({ solve }: Page): string {
+  const { progress } = solve.value;
+  if (!progress) {
+    return text.solve.starting;
+  }
+  const phase = text.solve.phase[progress.phase] ?? progress.phase;
+  return `${phase}: ${formatNumber(progress.iterations)} ${text.solve.iterations}`;
+}
+
+function noModelWords({ preferences, small, store }: Page): string {
+  const drawn = store.sketch.value.lines.length > 0;
+  if (preferences.value.autoSolve && small.value) {
+    return text.result.noModelAuto;
+  }
+  return drawn && preferences.value.autoSolve ? text.solve.autoOff : text.result.noModelText;
+}
