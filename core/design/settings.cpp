@@ -206,6 +206,7 @@ void applyPreset(Settings* settings) {
   }
   settings->connectors.emplace_back("15100");
   settings->connection = {2.0, 0.6};
+  settings->annealing.stiffening = {6, 6, 0.5, false, true};
   settings->corners = true;
   settings->standing = true;
   settings->symmetric = true;

@@ -173,10 +173,13 @@ bool Annealer::layBound(int run, lattice::Axis axis) {
 
 void Annealer::beginRound() {
   roundBegin_ = iteration_;
-  const double share = round_ == 0 ? kFirstRoundShare : 1.0;
+  const double share =
+      stiffening_ ? options_.stiffening.share : (round_ == 0 ? kFirstRoundShare : 1.0);
   const double perRuns = static_cast<double>(options_.iterationsPerRun) *
                          static_cast<double>(grown_ ? focus_.size() : problem_->graph.runs.size());
-  roundLength_ = options_.minIterations + static_cast<std::uint64_t>(share * perRuns);
+  const double least = static_cast<double>(options_.minIterations);
+  roundLength_ = static_cast<std::uint64_t>((stiffening_ ? share : 1.0) * least) +
+                 static_cast<std::uint64_t>(share * perRuns);
   temperature_ = options_.startTemperature;
   lastChange_ = iteration_;
 }

@@ -39,6 +39,16 @@ struct SearchParts {
   bool orbits = true;   //!< covers that obey the confirmed symmetries, while that can be
 };
 
+//! \brief How long and how the search makes a whole layout stiff. The defaults are for those who
+//! ask for stiffness before all else.
+struct StiffeningOptions {
+  std::uint32_t rounds = 40;  //!< at most; small sketches would go on for thousands
+  std::uint32_t roundsPerStart = 4;
+  double share = 1.0;       //!< of the moves of other rounds
+  bool otherStarts = true;  //!< whether other hole axes are tried where one start stays loose
+  bool polish = false;      //!< one round even where nothing is loose: it takes parts out
+};
+
 struct AnnealingOptions {
   std::uint64_t seed = 1;
   int starts = 60;                //!< of stage one
@@ -61,6 +71,7 @@ struct AnnealingOptions {
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
+  StiffeningOptions stiffening;
   //! Runs that can move so in the layout that `freedoms` was asked of last: moves begin there.
   std::function<std::vector<int>()> looseRuns;
   //! Whether a layout is buildable in earnest; empty: each is that has no violations. Dear as well:

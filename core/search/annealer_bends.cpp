@@ -35,7 +35,7 @@ bool Annealer::straighten(int run, double noise) {
   const std::vector<layout::Beam> arms = layout::armsOf(layout_.run(run).cover);
   layout::Cover bare = layout_.run(run).cover;
   bare.beams = withoutMates(bare.beams, -2);
-  layout_.setCover(run, bare);
+  place(run, bare);
   for (const layout::Beam& arm : arms) {
     if (arm.site >= 0) {
       changed = takeFrameOff(run, arm.site, noise) || changed;
@@ -44,19 +44,18 @@ bool Annealer::straighten(int run, double noise) {
     const layout::Cover& cover = layout_.run(arm.mate).cover;
     layout::Cover mate{cover.axis, withoutMates(cover.beams, run)};
     const std::vector<layout::Beam> kept = layout::armsOf(mate);
-    layout_.setCover(arm.mate, mate);
+    place(arm.mate, mate);
     changed = coverRun(arm.mate, mate.axis, noise, kept) || changed;
   }
   return coverRun(run, layout_.run(run).cover.axis, noise, {}) || changed;
 }
 
 //! The hole axis that two runs may have in common: theirs, where it is the same, else one that both
-//! may turn to. None where a symmetry binds them, or a joint lets them turn against each other.
+//! may turn to. None where a joint lets them turn against each other.
 std::optional<lattice::Axis> Annealer::bendAxis(int run, int mate) const {
   const guide::GuidingGraph& graph = problem_->graph;
   const int junction = layout::commonJunction(graph, run, mate);
-  if (orbits_.binds(run) || orbits_.binds(mate) || junction < 0 ||
-      layout_.run(run).cover.axle.used() || layout_.run(mate).cover.axle.used() ||
+  if (junction < 0 || layout_.run(run).cover.axle.used() || layout_.run(mate).cover.axle.used() ||
       graph.junctions[at(junction)].joint >= 0) {
     return std::nullopt;
   }
@@ -90,6 +89,9 @@ bool Annealer::bend(int run, double noise) {
   std::vector<layout::Beam> fixed = layout::armsOf(mine);
   std::vector<layout::Beam> mateFixed = layout::armsOf(theirs);
   const int layer = static_cast<int>(rng_.below(3)) - 1;
+  if (!orbits_.mayBend(run, mate, axis, layer)) {
+    return false;
+  }
   bends_.clear();
   for (const int form : options_.bends) {
     layout::addBends(graph, form, run, mate, layer, &bends_);
@@ -116,8 +118,8 @@ bool Annealer::bend(int run, double noise) {
   const layout::Bend bend = bends_[rng_.below(static_cast<std::uint32_t>(kept))];
   fixed.push_back(bend.arm);
   mateFixed.push_back(bend.mateArm);
-  layout_.setCover(run, {axis, {}});
-  layout_.setCover(mate, {axis, {}});
+  place(run, {axis, {}});
+  place(mate, {axis, {}});
   if (!coverRun(run, axis, noise, fixed) || !coverRun(mate, axis, noise, mateFixed)) {
     return false;
   }

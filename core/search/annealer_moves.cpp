@@ -133,6 +133,7 @@ bool Annealer::coverRun(int run,
   if (orbits_.binds(run)) {
     const layout::Cover before = layout_.run(run).cover;
     const auto symmetric = orbits_.propose(&coverer_, &layout_, run, axis, noise, &rng_);
+    coverer_.setFixed({});
     place(run, symmetric ? *symmetric : before);
     return symmetric && !(*symmetric == before);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <tuple>
 
@@ -7,15 +8,14 @@ namespace liftarm::search {
 
 namespace {
 
-constexpr std::uint32_t kStiffRounds = 4;
 // What a freedom costs in the rounds that stiffen one start: half a beam at first, more than any
 // beam at last.
-constexpr std::array<double, kStiffRounds> kFreedomCosts{5, 8, 12, 20};
+constexpr std::array<double, 4> kFreedomCosts{5, 8, 12, 20};
 // When no more rounds begin, in moves times runs squared, about what they take; but not after too
 // few.
 constexpr double kMostWork = 1.5e7;
 constexpr std::uint32_t kLeastRounds = 3;
-constexpr std::uint32_t kMostRounds = 9;  // small sketches would go on for thousands
+constexpr std::uint32_t kSymmetricRounds = 3;  // of one start, before all runs are freed
 // What has more freedoms left than these after so many rounds is not made to be stiff.
 constexpr std::uint32_t kHopefulRounds = 9;
 constexpr int kFewFreedoms = 6;
@@ -33,16 +33,21 @@ void Annealer::goOnStiffening() {
   const auto runs = static_cast<double>(problem_->graph.runs.size());
   stiffWork_ += stiffening_ || again_ ? static_cast<double>(roundLength_) * runs * runs : 0.0;
   const bool hopeless = allStiffRounds_ >= kHopefulRounds && best_.freedoms > kFewFreedoms;
-  if (hopeless || allStiffRounds_ >= kMostRounds ||
+  if (hopeless || allStiffRounds_ >= options_.stiffening.rounds ||
       (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
     finish();
     return;
   }
-  if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < kStiffRounds) {
+  if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < options_.stiffening.roundsPerStart) {
+    if (stiffRounds_ == kSymmetricRounds && !options_.stiffening.otherStarts) {
+      orbits_.releaseAll();  // rather stiff than symmetric in every beam
+    }
     beginStiffening();
-    if (best_.freedoms == 0 && allStiffRounds_ > 1) {
+    if (best_.freedoms == 0 && (!options_.stiffening.polish || allStiffRounds_ > 1)) {
       finish();
     }
+  } else if (!options_.stiffening.otherStarts) {
+    finish();
   } else if (again_ && !stiffening_ && ++plainRounds_ < kPlainRounds) {
     beginRound();
   } else {
@@ -61,7 +66,7 @@ void Annealer::beginStiffening() {
     // What cannot be built is to give way to anything that can and is as stiff.
     best.freedoms = options_.freedoms(best) + (isBuildable(best) ? 0 : 1);
   }
-  freedomCost_ = kFreedomCosts[stiffRounds_];
+  freedomCost_ = kFreedomCosts[std::min<std::size_t>(stiffRounds_, kFreedomCosts.size() - 1)];
   ++stiffRounds_;
   ++allStiffRounds_;
   best.energy = plainEnergy(best.tallies, best.freedoms);

@@ -1,6 +1,9 @@
 #include "search/orbit_covers.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "base/check.h"
 
 namespace liftarm::search {
 
@@ -16,14 +19,16 @@ std::size_t at(int i) {
   return static_cast<std::size_t>(i);
 }
 
+//! What a symmetry makes of a cover; arms of bent beams still name the mate that they had.
 Cover imageOf(const Cover& cover, const guide::RunImage& image, int edges) {
   const std::size_t axis = at(lattice::index(cover.axis));
   Cover mapped{lattice::axisFromIndex(image.axes[axis]), {}};
   for (const Beam& beam : cover.beams) {
-    mapped.beams.push_back({image.reversed ? edges - beam.last() : beam.start,
-                            beam.holes,
-                            beam.layer * image.signs[axis],
-                            -1});
+    Beam mirrored = beam;
+    mirrored.start = image.reversed ? edges - beam.last() : beam.start;
+    mirrored.layer = beam.layer * image.signs[axis];
+    mirrored.tail = image.reversed ? -beam.tail : beam.tail;
+    mapped.beams.push_back(mirrored);
   }
   if (image.reversed) {
     std::reverse(mapped.beams.begin(), mapped.beams.end());
@@ -74,9 +79,57 @@ void OrbitCovers::place(layout::Layout* layout, int run, const Cover& cover) con
   const int edges = problem_->graph.runs[at(run)].edgeCount();
   for (const guide::RunImage& image : orbits_.images(run)) {
     if (image.run != run) {
-      layout->setCover(image.run, imageOf(cover, image, edges));
+      Cover mapped = imageOf(cover, image, edges);
+      for (Beam& beam : mapped.beams) {
+        if (beam.mate >= 0) {
+          const std::optional<int> mate = imageOfMate(run, image, beam.mate);
+          LIFTARM_CHECK(mate.has_value(), "a bent beam is laid only where its images have room");
+          beam.mate = *mate;
+        }
+      }
+      layout->setCover(image.run, std::move(mapped));
     }
   }
+}
+
+//! Where a symmetry takes the other run of a bent beam: the image of it that meets the image of
+//! this one where it should.
+std::optional<int> OrbitCovers::imageOfMate(int run, const guide::RunImage& image, int mate) const {
+  const guide::GuidingGraph& graph = problem_->graph;
+  const int corner = layout::cornerIndex(graph, run, mate);
+  const int mapped = image.reversed ? graph.runs[at(run)].edgeCount() - corner : corner;
+  std::vector<int> candidates{mate};
+  for (const guide::RunImage& other : orbits_.images(mate)) {
+    candidates.push_back(other.run);
+  }
+  for (const int candidate : candidates) {
+    if (candidate != image.run && layout::commonJunction(graph, image.run, candidate) >= 0 &&
+        layout::cornerIndex(graph, image.run, candidate) == mapped) {
+      return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
+bool OrbitCovers::mayBend(int run, int mate, lattice::Axis axis, int layer) const {
+  if (!active()) {
+    return true;
+  }
+  for (const auto& [one, other] : {std::pair(run, mate), std::pair(mate, run)}) {
+    const guide::SelfBinding self = orbits_.binding(one, axis);
+    if (!orbits_.allows(one, axis) || self.centred || (self.pinned && layer != 0)) {
+      return false;
+    }
+    for (const guide::RunImage& image : orbits_.images(one)) {
+      const std::optional<int> mapped = imageOfMate(one, image, other);
+      // A bent beam whose arms change places, or that shares a run with its image, is left out.
+      if (!mapped || image.run == other || *mapped == one ||
+          (image.run == one) != (*mapped == other)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 //! The beam across the middle of a run that reads the same from both ends; holes 0: none fits.

@@ -33,6 +33,9 @@ class OrbitCovers {
                                        double noise,
                                        base::Rng* rng) const;
 
+  //! \brief Whether a bent beam on two runs can be carried to all their images.
+  [[nodiscard]] bool mayBend(int run, int mate, lattice::Axis axis, int layer) const;
+
   void release(int run) { orbits_.release(run); }
 
   //! \brief Frees the runs that meet at a junction, and those bound to them.
@@ -41,6 +44,9 @@ class OrbitCovers {
   void releaseAll() { orbits_ = {}; }
 
  private:
+  [[nodiscard]] std::optional<int> imageOfMate(int run,
+                                               const guide::RunImage& image,
+                                               int mate) const;
   [[nodiscard]] layout::Beam middleBeam(int run,
                                         const guide::SelfBinding& binding,
                                         int reach,

@@ -40,7 +40,7 @@ export async function openGallery(only) {
 function solveWhole(row, tools, core) {
   const session = new core.SolverSession(
     textOf(row.file),
-    JSON.stringify({ seed: 1, preset: 'simple' }),
+    JSON.stringify({ seed: 1, preset: 'balanced' }),
   );
   try {
     while (!session.advance(5000)) {

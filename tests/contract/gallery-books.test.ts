@@ -36,7 +36,7 @@ function wholeModel(row: { file: string; gears?: string }): string {
 
 /** The model of a row as one builds it: with its gears where it has some. */
 function solveWhole({ file, gears }: { file: string; gears?: string }): string {
-  const { modelJson } = solveWithModule(module, text(file), { seed: 1, preset: 'simple' });
+  const { modelJson } = solveWithModule(module, text(file), { seed: 1, preset: 'balanced' });
   if (!gears) {
     return modelJson;
   }

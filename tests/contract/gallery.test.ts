@@ -28,7 +28,7 @@ beforeAll(async () => {
 });
 
 function solved(file: string): string {
-  return solveWithModule(module, text(file), { seed: 1, preset: 'simple' }).modelJson;
+  return solveWithModule(module, text(file), { seed: 1, preset: 'balanced' }).modelJson;
 }
 
 function checked(model: object): Check {

@@ -5,7 +5,7 @@ import { PREFERENCE_DEFAULTS } from '../../../web/src/state/preferences.ts';
 import { settingsOf } from '../../../web/src/ui/solve-settings.ts';
 
 test('a person who has set nothing asks for the defaults of the core', () => {
-  expect(settingsOf(PREFERENCE_DEFAULTS)).toEqual({ seed: 1, preset: 'simple', set: {} });
+  expect(settingsOf(PREFERENCE_DEFAULTS)).toEqual({ seed: 1, preset: 'balanced', set: {} });
 });
 
 test('single options win over the pictures', () => {

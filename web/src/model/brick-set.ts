@@ -32,6 +32,7 @@ const CONNECTORS: readonly string[] = [
   '15462',
   '3713',
   '18654',
+  '15100',
 ];
 
 /** Axles that cover lines, by length; 15462 joins stacks as well. */

@@ -15,10 +15,16 @@ export interface SearchSettings {
 }
 
 /** The presets of the core (core/design/settings.h); tests/contract/contract.test.ts compares them. */
-export const PRESETS: readonly string[] = ['simple', 'faithful', 'simple-rigid', 'faithful-rigid'];
+export const PRESETS: readonly string[] = [
+  'balanced',
+  'simple',
+  'faithful',
+  'simple-rigid',
+  'faithful-rigid',
+];
 
 export const USUAL_SEARCH: SearchSettings = Object.freeze({
-  preset: 'simple',
+  preset: 'balanced',
   seed: 1,
   effort: 1,
   off: [],

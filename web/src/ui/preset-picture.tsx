@@ -1,5 +1,6 @@
 /** What a preset does to an L of two lines: where its beams lie, and whether the corner is stiff. */
 const BEAMS: Readonly<Record<string, readonly string[]>> = {
+  balanced: ['M12 38H56', 'M14 38V12', 'M14 24 28 38'],
   simple: ['M12 44H56', 'M20 44V12'],
   faithful: ['M12 38H56', 'M14 38V12'],
   'simple-rigid': ['M12 44H56', 'M20 44V12', 'M20 22 42 44'],

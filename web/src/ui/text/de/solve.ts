@@ -100,6 +100,7 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     title: 'Einstellungen',
     preset: 'Vorgabe',
     presets: {
+      balanced: 'Ausgewogen: wie von Hand gebaut',
       simple: 'Einfach: wenige Teile',
       faithful: 'Getreu: nah an den Linien',
       'simple-rigid': 'Einfach und steif',

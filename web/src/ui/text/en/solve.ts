@@ -96,6 +96,7 @@ export const SOLVE_EN = {
     title: 'Settings',
     preset: 'Preset',
     presets: {
+      balanced: 'Balanced: as a builder would',
       simple: 'Simple: few bricks',
       faithful: 'Faithful: close to the lines',
       'simple-rigid': 'Simple and rigid',

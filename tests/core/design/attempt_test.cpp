@@ -1,0 +1,125 @@
+#include "design/attempt.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/helpers/sketches.h"
+#include "design/design_session.h"
+#include "design/model_builder.h"
+#include "model/model_json.h"
+#include "objective/mobility.h"
+#include "sketch/sketch_json.h"
+
+namespace liftarm::design {
+namespace {
+
+using nlohmann::json;
+
+Settings settingsFrom(const std::string& text) {
+  base::Result<Settings> settings = readSettings(text);
+  EXPECT_TRUE(settings.ok());
+  return std::move(settings).value();
+}
+
+//! What the model wing counts on the real parts.
+int freedomsOfModel(const Attempts& attempts, const sketch::Sketch& sketch) {
+  const model::Model model = buildModel(attempts.problem(),
+                                        attempts.table(),
+                                        attempts.search().best(),
+                                        "test",
+                                        sketch::writeSketch(sketch));
+  const base::Result<std::string> motion = analyseMotionJson(model::writeModel(model));
+  EXPECT_TRUE(motion.ok());
+  return json::parse(motion.value())["freedoms"]["beyondJoints"].get<int>();
+}
+
+class MobilityOf : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MobilityOf, ALayoutIsThatOfItsModel) {
+  const Settings settings = settingsFrom(GetParam());
+  for (const sketch::Sketch& sketch : {testing::squareSketch(8),
+                                       testing::cornerSketch(6),
+                                       testing::teeSketch(),
+                                       testing::cubeSketch(7),
+                                       testing::houseSketch()}) {
+    Attempts attempts(sketch, settings);
+    objective::Mobility mobility(attempts.problem(), attempts.table());
+    for (int slice = 0; slice < 4; ++slice) {
+      attempts.advance(200);
+      const search::LayoutSnapshot& best = attempts.search().best();
+      if (best.tallies.violations() > 0) {
+        continue;  // what is not joined yet is no linkage
+      }
+      EXPECT_EQ(mobility.count(best.covers, best.junctions), freedomsOfModel(attempts, sketch))
+          << sketch.lines.size() << " lines, slice " << slice;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets,
+                         MobilityOf,
+                         ::testing::Values(R"({"seed": 1, "preset": "simple"})",
+                                           R"({"seed": 2, "preset": "faithful"})",
+                                           R"({"seed": 3, "preset": "simple-rigid"})",
+                                           R"({"seed": 4, "preset": "balanced",
+                          "set": {"symmetric": 0, "standing": 0}})"));
+
+TEST(Wishes, StandPutsTheGroundHalfABeamUnderTheLowestPoint) {
+  const sketch::Sketch wanted = withWishes(testing::cubeSketch(6), {.standing = true});
+  ASSERT_TRUE(wanted.ground.has_value());
+  EXPECT_DOUBLE_EQ(*wanted.ground, -0.5);
+}
+
+TEST(Wishes, LeaveTheGroundThatThePersonNamed) {
+  sketch::Sketch sketch = testing::cubeSketch(6);
+  sketch.ground = -3.0;
+  EXPECT_DOUBLE_EQ(*withWishes(sketch, {.standing = true}).ground, -3.0);
+}
+
+TEST(Wishes, FindTheMirrorsAcrossXAndYAlone) {
+  const sketch::Sketch wanted = withWishes(testing::cubeSketch(6), {.symmetric = true});
+  ASSERT_EQ(wanted.symmetries.size(), 2U);
+  for (const sketch::Symmetry& symmetry : wanted.symmetries) {
+    EXPECT_EQ(symmetry.normal.z, 0.0);
+    EXPECT_NEAR(std::max(std::abs(symmetry.normal.x), std::abs(symmetry.normal.y)), 1.0, 1e-9);
+  }
+}
+
+TEST(Wishes, LeaveSymmetriesThatThePersonConfirmed) {
+  sketch::Sketch sketch = testing::cubeSketch(6);
+  sketch::Symmetry mirror;
+  mirror.normal = {1, 0, 0};
+  mirror.offset = 3;
+  sketch.symmetries.push_back(mirror);
+  EXPECT_EQ(withWishes(sketch, {.symmetric = true}).symmetries.size(), 1U);
+}
+
+TEST(Attempts, ABalancedCubeStandsOnTheDrawingsLowestPlane) {
+  const sketch::Sketch sketch = testing::cubeSketch(8);
+  const Settings settings = settingsFrom("");
+  Attempts attempts(sketch, settings);
+  while (!attempts.advance(1000)) {
+  }
+  const search::LayoutSnapshot& best = attempts.search().best();
+  EXPECT_EQ(best.tallies.violations(), 0);
+  EXPECT_EQ(
+      objective::Mobility(attempts.problem(), attempts.table()).count(best.covers, best.junctions),
+      0);
+}
+
+TEST(Attempts, GivesAWishUpWhereNoLayoutGrantsIt) {
+  // A line below the ground that the person's keep-out box leaves no room for above it.
+  sketch::Sketch sketch = testing::squareSketch(8);
+  sketch.keepOut.push_back({{-2, -2, 1}, {10, 10, 3}});
+  const Settings settings = settingsFrom(R"({"set": {"corners": 0}})");
+  Attempts attempts(sketch, settings);
+  while (!attempts.advance(1000)) {
+  }
+  EXPECT_EQ(attempts.search().best().tallies.violations(), 0);
+}
+
+}  // namespace
+}  // namespace liftarm::design
