@@ -205,8 +205,8 @@ void applyPreset(Settings* settings) {
     return;
   }
   settings->connectors.emplace_back("15100");
-  settings->connection = {2.0, 0.6};
-  settings->annealing.stiffening = {6, 6, 0.5, false, true};
+  settings->connection = {4.0, 1.2};
+  settings->annealing.stiffening = {14, 14, 2.5e6, 0.5, 2.0, false, true};
   settings->corners = true;
   settings->standing = true;
   settings->symmetric = true;

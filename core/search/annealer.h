@@ -44,7 +44,10 @@ struct SearchParts {
 struct StiffeningOptions {
   std::uint32_t rounds = 40;  //!< at most; small sketches would go on for thousands
   std::uint32_t roundsPerStart = 4;
+  //! When no more rounds begin, in moves times runs squared, about what they take.
+  double work = 1.5e7;
   double share = 1.0;       //!< of the moves of other rounds
+  double weight = 1.0;      //!< of a freedom: 1 is half a beam at first, two beams at last
   bool otherStarts = true;  //!< whether other hole axes are tried where one start stays loose
   bool polish = false;      //!< one round even where nothing is loose: it takes parts out
 };

@@ -11,10 +11,7 @@ namespace {
 // What a freedom costs in the rounds that stiffen one start: half a beam at first, more than any
 // beam at last.
 constexpr std::array<double, 4> kFreedomCosts{5, 8, 12, 20};
-// When no more rounds begin, in moves times runs squared, about what they take; but not after too
-// few.
-constexpr double kMostWork = 1.5e7;
-constexpr std::uint32_t kLeastRounds = 3;
+constexpr std::uint32_t kLeastRounds = 3;      // whatever their work
 constexpr std::uint32_t kSymmetricRounds = 3;  // of one start, before all runs are freed
 // What has more freedoms left than these after so many rounds is not made to be stiff.
 constexpr std::uint32_t kHopefulRounds = 9;
@@ -34,7 +31,7 @@ void Annealer::goOnStiffening() {
   stiffWork_ += stiffening_ || again_ ? static_cast<double>(roundLength_) * runs * runs : 0.0;
   const bool hopeless = allStiffRounds_ >= kHopefulRounds && best_.freedoms > kFewFreedoms;
   if (hopeless || allStiffRounds_ >= options_.stiffening.rounds ||
-      (allStiffRounds_ >= kLeastRounds && stiffWork_ >= kMostWork)) {
+      (allStiffRounds_ >= kLeastRounds && stiffWork_ >= options_.stiffening.work)) {
     finish();
     return;
   }
@@ -66,7 +63,8 @@ void Annealer::beginStiffening() {
     // What cannot be built is to give way to anything that can and is as stiff.
     best.freedoms = options_.freedoms(best) + (isBuildable(best) ? 0 : 1);
   }
-  freedomCost_ = kFreedomCosts[std::min<std::size_t>(stiffRounds_, kFreedomCosts.size() - 1)];
+  freedomCost_ = options_.stiffening.weight *
+                 kFreedomCosts[std::min<std::size_t>(stiffRounds_, kFreedomCosts.size() - 1)];
   ++stiffRounds_;
   ++allStiffRounds_;
   best.energy = plainEnergy(best.tallies, best.freedoms);
