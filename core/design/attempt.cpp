@@ -8,6 +8,7 @@
 #include "layout/stack.h"
 #include "objective/mobility.h"
 #include "search/annealer.h"
+#include "search/cover_bound.h"
 #include "search/paper_search.h"
 #include "sketch/symmetry_finder.h"
 
@@ -16,7 +17,9 @@ namespace liftarm::design {
 namespace {
 
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
-constexpr double kHalfBeam = 0.5;            // modules from a beam's middle line to its side
+constexpr double kManyBeams = 1.1;        // of the fewest: then a layout without mirrors is tried
+constexpr double kWorthOfSymmetry = 0.9;  // of the objective
+constexpr double kHalfBeam = 0.5;         // modules from a beam's middle line to its side
 constexpr double kAlong = 1e-6;
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
@@ -63,6 +66,7 @@ struct Attempts::Attempt {
                                           fillsGaps(settings))),
         mobility(problem, table) {}
 
+  Wishes wishes;
   layout::ConnectionSolver solver;
   layout::LayoutProblem problem;
   objective::Mobility mobility;
@@ -109,6 +113,7 @@ Attempts::~Attempts() = default;
 void Attempts::begin(Wishes wishes, bool last) {
   current_ = std::make_unique<Attempt>(withWishes(*sketch_, wishes), *settings_, table_);
   Attempt& attempt = *current_;
+  attempt.wishes = wishes;
   if (settings_->method == kPaperMethod) {
     search::PaperOptions options = settings_->paper;
     options.seed = settings_->annealing.seed;
@@ -134,14 +139,48 @@ void Attempts::begin(Wishes wishes, bool last) {
       std::make_unique<search::Annealer>(attempt.problem, attempt.solver, std::move(options));
 }
 
-bool Attempts::advance(std::uint32_t iterations) {
-  if (!current_->search->advance(iterations)) {
+//! Whether the layout found with the present wishes need not be compared with others.
+bool Attempts::isGoodEnough() const {
+  const search::LayoutSnapshot& best = current_->search->best();
+  if (!isWhole(best)) {
     return false;
   }
-  if (plans_.empty() || isWhole(current_->search->best())) {
+  if (!current_->wishes.symmetric || current_->problem.graph.symmetries.empty()) {
+    return true;
+  }
+  const int bound =
+      search::coverLowerBound(search::makeCoverTable(current_->problem, settings_->annealing));
+  return best.freedoms == 0 && static_cast<double>(best.tallies.beams + best.tallies.axles) <=
+                                   kManyBeams * static_cast<double>(bound);
+}
+
+bool Attempts::beats(const Attempt& one, const Attempt& other) const {
+  const search::LayoutSnapshot& mine = one.search->best();
+  const search::LayoutSnapshot& theirs = other.search->best();
+  if (!isWhole(mine) || mine.freedoms != theirs.freedoms) {
+    return isWhole(mine) && mine.freedoms < theirs.freedoms;
+  }
+  return mine.energy < kWorthOfSymmetry * theirs.energy;
+}
+
+bool Attempts::advance(std::uint32_t iterations) {
+  if (done_ || !current_->search->advance(iterations)) {
+    return done_;
+  }
+  const bool compared = symmetric_ != nullptr;
+  if (compared && !beats(*current_, *symmetric_)) {
+    iterationsBefore_ += current_->search->iterations() - symmetric_->search->iterations();
+    current_ = std::move(symmetric_);
+  }
+  done_ = compared || plans_.empty() || isGoodEnough();
+  if (done_) {
+    symmetric_.reset();
     return true;
   }
   iterationsBefore_ += current_->search->iterations();
+  if (isWhole(current_->search->best())) {
+    symmetric_ = std::move(current_);
+  }
   const Wishes next = plans_.back();
   plans_.pop_back();
   begin(next, plans_.empty());
@@ -149,7 +188,7 @@ bool Attempts::advance(std::uint32_t iterations) {
 }
 
 bool Attempts::done() const {
-  return current_->search->done() && (plans_.empty() || isWhole(current_->search->best()));
+  return done_;
 }
 
 std::uint64_t Attempts::iterations() const {
@@ -157,11 +196,16 @@ std::uint64_t Attempts::iterations() const {
 }
 
 const search::LayoutSearch& Attempts::search() const {
-  return *current_->search;
+  return *shown().search;
 }
 
 const layout::LayoutProblem& Attempts::problem() const {
-  return current_->problem;
+  return shown().problem;
+}
+
+//! While another layout is looked for, the symmetric one is what there is.
+const Attempts::Attempt& Attempts::shown() const {
+  return symmetric_ != nullptr ? *symmetric_ : *current_;
 }
 
 }  // namespace liftarm::design

@@ -25,6 +25,9 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 
 //! \brief The searches for one sketch, one after the other: with every wish of the settings, then
 //! with fewer, until a layout is whole.
+//! \details Where the symmetric layout is whole but loose, or takes many more beams than are needed
+//! (bent beams across a mirror and frames obey none), it is compared with one that need not be
+//! symmetric; being so is worth a tenth of the objective.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.
@@ -52,13 +55,18 @@ class Attempts {
   struct Attempt;
 
   void begin(Wishes wishes, bool last);
+  [[nodiscard]] const Attempt& shown() const;
+  [[nodiscard]] bool isGoodEnough() const;
+  [[nodiscard]] bool beats(const Attempt& one, const Attempt& other) const;
 
   const sketch::Sketch* sketch_;
   const Settings* settings_;
   mechanisms::MechanismTable table_;
   std::vector<Wishes> plans_;  // those still to come, the next one last
   std::unique_ptr<Attempt> current_;
+  std::unique_ptr<Attempt> symmetric_;  // whole, waiting for what it is compared with
   std::uint64_t iterationsBefore_ = 0;
+  bool done_ = false;
 };
 
 }  // namespace liftarm::design

@@ -197,7 +197,8 @@ TEST(AxleModels, LayAnAxleWhereAJointTurnsAboutItsOwnLine) {
 
 TEST(AxleModels, AreTheSameForTheSameSeedHoweverTheSearchIsCutUp) {
   const Solved once = solve(squaresSketch(3), json::object(), 2);
-  auto session = DesignSession::create(sketch::writeSketch(squaresSketch(3)), R"({"seed": 2})");
+  auto session = DesignSession::create(sketch::writeSketch(squaresSketch(3)),
+                                       R"({"seed": 2, "preset": "simple"})");
   ASSERT_TRUE(session.ok());
   while (!session.value()->advance(7)) {
   }
@@ -205,13 +206,15 @@ TEST(AxleModels, AreTheSameForTheSameSeedHoweverTheSearchIsCutUp) {
 }
 
 TEST(AxleModels, KeepTheirAxlesAfterAnEdit) {
-  auto first = DesignSession::create(sketch::writeSketch(railsSketch(3)), R"({"seed": 1})");
+  auto first = DesignSession::create(sketch::writeSketch(railsSketch(3)),
+                                     R"({"seed": 1, "preset": "simple"})");
   ASSERT_TRUE(first.ok());
   while (!first.value()->advance(1000)) {
   }
   sketch::Sketch edited = railsSketch(3);
   edited.lines.push_back(testing::sketchFrom({{{10, 0, 0}, {10, 0, 5}}}).lines.front());
-  const json settings{{"seed", 1}, {"earlier", json::parse(first.value()->layoutJson())}};
+  const json settings{
+      {"seed", 1}, {"preset", "simple"}, {"earlier", json::parse(first.value()->layoutJson())}};
   auto second = DesignSession::create(sketch::writeSketch(edited), settings.dump());
   ASSERT_TRUE(second.ok()) << second.error().message;
   while (!second.value()->advance(1000)) {

@@ -6,6 +6,7 @@
 
 #include "core/helpers/models.h"
 #include "core/helpers/sketches.h"
+#include "core/helpers/solved.h"
 #include "design/design_session.h"
 #include "sketch/sketch_json.h"
 
@@ -189,8 +190,14 @@ TEST(DesignSession, TheRigidPresetEndsWithoutFreedoms) {
 }
 
 TEST(DesignSession, TheSimplePresetLeavesASquareLoose) {
-  const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
+  const json report = testing::solve(testing::squareSketch(8)).report;
   EXPECT_GT(report["freedoms"].get<int>(), 0);
+}
+
+TEST(DesignSession, TheUsualPresetLeavesNothingLoose) {
+  const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
+  EXPECT_EQ(report["preset"], "balanced");
+  EXPECT_EQ(report["freedoms"].get<int>(), 0);
 }
 
 TEST(Report, HasTheKeysOfTheDesignButItsTimes) {
@@ -231,7 +238,7 @@ TEST(Report, HasTheKeysOfLaterWork) {
 }
 
 TEST(Report, CountsASquareOfFourBeamsAndFourPins) {
-  const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
+  const json report = testing::solve(testing::squareSketch(8)).report;
   EXPECT_EQ(report["beams"], 4);
   EXPECT_EQ(report["bricks"], 8);
   EXPECT_EQ(report["beamsLowerBound"], 4);

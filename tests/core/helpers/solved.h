@@ -29,11 +29,11 @@ struct Solved {
   }
 };
 
-//! \param set As in design::readSettings.
+//! \brief With the preset that lays the fewest parts. \param set As in design::readSettings.
 inline Solved solve(const sketch::Sketch& sketch,
                     const nlohmann::json& set = nlohmann::json::object(),
                     int seed = 1) {
-  const nlohmann::json settings{{"seed", seed}, {"set", set}};
+  const nlohmann::json settings{{"seed", seed}, {"preset", "simple"}, {"set", set}};
   auto session = design::DesignSession::create(sketch::writeSketch(sketch), settings.dump());
   if (!session.ok()) {
     ADD_FAILURE() << session.error().message;
