@@ -1,4 +1,4 @@
-import { expect, generate, openEmpty, openText, test } from './helpers/test.ts';
+import { expect, generate, goTo, openEmpty, openText, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -21,7 +21,7 @@ test('a click proves how few beams do, and what the bound proves needs no click'
   await openEmpty(page);
   await openText(page, JSON.stringify(SQUARE));
   await generate(page);
-  await page.getByRole('heading', { name: 'Checks' }).click();
+  await goTo(page, 'Check');
   const proof = page.locator('.check-view').filter({ hasText: 'Fewest beams' });
   await proof.locator('summary').click();
   await expect(proof.getByTestId('proof')).toContainText('at least 3 are needed');
@@ -31,5 +31,6 @@ test('a click proves how few beams do, and what the bound proves needs no click'
   });
   await openText(page, JSON.stringify({ ...SQUARE, lines: [{ from: [0, 0, 0], to: [8, 0, 0] }] }));
   await generate(page);
+  await goTo(page, 'Check');
   await expect(proof).toContainText('proved');
 });
