@@ -14,6 +14,7 @@ import {
   solve,
   wholeNumber,
 } from './lib/solve.mjs';
+import { inPapersCount } from './lib/statistics.mjs';
 
 const USAGE = `npm run compare [-- SKETCH... options]
   SKETCH         a file or a name in ../shared/sketches; without any: all of ../shared/reference-runs.json
@@ -77,7 +78,11 @@ function authorsCell(reference) {
 function runCells(report) {
   return report === null
     ? ['stopped', '-', '-']
-    : [figures(report), report.buildable ? 'yes' : 'no', secondsText(report.seconds.processor)];
+    : [
+        figures(inPapersCount(report)),
+        report.buildable ? 'yes' : 'no',
+        secondsText(report.seconds.processor),
+      ];
 }
 
 function cellsOf({ name, reference, ours, paper }) {
@@ -113,11 +118,16 @@ function summary(rows) {
   const seconds = (key) => (row) => row[key]?.seconds.processor ?? Number.NaN;
   const beams = (key) => (row) => row[key]?.beams ?? Number.NaN;
   const text = (value) => (value === null ? '-' : value.toFixed(2));
+  const total = (of) => rows.reduce((sum, { ours }) => sum + (ours ? of(ours) : 0), 0);
+  const gaps = (report) => inPapersCount(report).gaps;
+  const filled = (report) => report.filledGaps;
   const authors = (row) => row.reference?.searchSeconds ?? Number.NaN;
   return [
     `- Buildable: default ${built('ours')}, paper ${built('paper')}, of ${rows.length} sketches.`,
     `- Seconds, geometric means: paper / default ${text(ratio(seconds('paper'), seconds('ours')))}, ` +
       `authors' program / default ${text(ratio(authors, seconds('ours')))}.`,
+    `- Gaps of the default, of which a spacer fills: ${total(gaps)}, ${total(filled)}; of the authors' program: ` +
+      `${rows.reduce((sum, { reference }) => sum + (reference?.gaps ?? 0), 0)}.`,
     `- Beams, geometric mean: paper / default ${text(ratio(beams('paper'), beams('ours')))}.`,
   ].join('\n');
 }
@@ -127,12 +137,14 @@ function documentOf(rows, { seed, machineText }) {
 
 Made by \`npm run compare\`; do not edit. ${machineText}; one thread, seed ${seed}.
 
-A cell reads beams / bricks / gaps / collisions / failed connections. **default** is our search with its one
+A cell reads beams / bricks / gaps / collisions / failed connections. Gaps are counted as the paper does: empty layers in
+stacks, those that a one-hole beam fills as a spacer among them (the paper knows no spacers; ours are in the bricks, and the last line
+below counts them apart). **default** is our search with its one
 default setting. **paper** is the method of Xu, Hui, Fu and Zhang, "Computational LEGO Technic Design" (ACM TOG
 38(6), 2019), on our data structures (\`liftarm solve --method paper\`; \`core/search/paper_search.h\` lists how we
 read it), with the cooling rate that its authors set for the sketch. **authors' program** are figures measured
 with their own program, tuned per model by them, on a like machine; it counts colliding holes and failed groups,
-and whether a person could build the result was not judged. Seconds are of the processor, for the search alone. "Buildable" is what \`liftarm check\` says. Bound: fewest straight beams of any layout ([lower bound](lower-bound.md)).
+and whether a person could build the result was not judged. Seconds are of the processor, for the search alone. "Buildable" is what \`liftarm check\` says. Bound: fewest beams of any layout with no more axles along lines ([lower bound](lower-bound.md)).
 
 ${markdownTable(TITLES, rows.map(cellsOf))}
 

@@ -115,7 +115,10 @@ function failureOf({ code, signal, stderr }, report) {
     return 'stopped: took too long';
   }
   if (code === 0) {
-    return report?.buildable === true ? '' : 'exit 0 without a buildable report';
+    if (report?.buildable !== true) {
+      return 'exit 0 without a buildable report';
+    }
+    return report.beams < report.beamsLowerBound ? 'fewer beams than the bound says' : '';
   }
   if (code === 2) {
     const first = report?.problems?.[0];

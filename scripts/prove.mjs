@@ -17,7 +17,7 @@ const USAGE = `npm run prove -- [SKETCHES] [options]
   --set k=v           handed to \`liftarm solve\` and \`liftarm placements\`; can be repeated
   --seeds N           the best model of seeds 1 to N (default 1)
   --seconds N         HiGHS may take for one piece (default 60)
-  --leaves N          of the proof of one piece at most (default 4000)
+  --leaves N          of the proof of one piece at most (default 1000)
   --certificates DIR  writes NAME.placements.json and NAME.certificate.json there
   --command FILE      takes this command as it is`;
 
@@ -29,7 +29,7 @@ function readOptions() {
       set: { type: 'string', multiple: true, default: [] },
       seeds: { type: 'string', default: '1' },
       seconds: { type: 'string', default: '60' },
-      leaves: { type: 'string', default: '4000' },
+      leaves: { type: 'string', default: '1000' },
       certificates: { type: 'string' },
       command: { type: 'string' },
       help: { type: 'boolean', default: false },

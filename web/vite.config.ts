@@ -34,9 +34,9 @@ export default defineConfig({
         },
       },
       checks: { pluginTimings: false },
-      // glTF-Transform asks for node:fs in what it does in Node alone.
+      // glTF-Transform asks for node:fs in what it does in Node alone, and HiGHS for node:module.
       onLog: (level, log, handle) => {
-        if (!/externalized .*@gltf-transform/s.test(log.message)) {
+        if (!/externalized .*(?:@gltf-transform|\/highs\/)/s.test(log.message)) {
           handle(level, log);
         }
       },

@@ -2,14 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/covers_in_use.h"
 #include "design/json_values.h"
 #include "design/model_builder.h"
-#include "design/settings.h"
 #include "layout/axle.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
 #include "search/cover_bound.h"
-#include "search/cover_table.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::design {
@@ -72,7 +71,7 @@ base::Result<std::string> placementsJson(std::string_view sketchJson,
   }
   const layout::LayoutProblem problem =
       layout::makeLayoutProblem(guide::buildGuidingGraph(sketch.value()));
-  const search::CoverTable table = search::makeCoverTable(problem, settings.value().annealing);
+  const search::CoverTable table = coversInUse(problem, settings.value());
   ordered_json edges = ordered_json::array();
   for (const search::TableEdge& edge : table.edges) {
     edges.push_back({{"run", edge.run}, {"index", edge.index}});

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/check.h"
+#include "design/covers_in_use.h"
 #include "design/json_values.h"
 #include "design/measures.h"
 #include "design/owned_parts.h"
@@ -122,11 +123,19 @@ json asymmetricJson(const ReportInput& input) {
   return stretches;
 }
 
+//! Empty layers in stacks that a spacer fills.
+int filledGaps(const search::LayoutSnapshot& best) {
+  std::size_t count = 0;
+  for (const layout::JunctionState& state : best.junctions) {
+    count += state.spacers.size();
+  }
+  return static_cast<int>(count);
+}
+
 //! Fewest beams of any layout with no more axles along lines than this one: where an axle covers a
 //! line no beam needs to.
 int beamsLowerBound(const ReportInput& input) {
-  const int bound =
-      search::coverLowerBound(search::makeCoverTable(input.problem, input.settings.annealing));
+  const int bound = search::coverLowerBound(coversInUse(input.problem, input.settings));
   return std::max(0, bound - input.search.best().tallies.axles);
 }
 
@@ -164,6 +173,7 @@ std::string makeReport(const ReportInput& input) {
       // By the layout, which knows whose line each beam lies on; from the placed parts alone, a
       // beam beside a parallel line one module away counts for both.
       {"gaps", tallies.gaps},
+      {"filledGaps", filledGaps(best)},
       {"collisions", std::max(check.counts.collisions, tallies.collisions)},
       {"uncovered", check.counts.uncovered},
       {"failedConnections", std::max(check.counts.failedConnections, tallies.failedConnections)},

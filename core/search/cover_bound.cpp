@@ -70,8 +70,8 @@ Programme reduced(int rows, const std::vector<std::pair<std::vector<int>, int>>&
 std::vector<double> straightPrices(const CoverTable& table, int rows) {
   std::map<int, int> longest;  // by run, in edges
   for (const TableCover& cover : table.covers) {
-    if (cover.part.kind == CoverKind::kStraight) {
-      int& most = longest[cover.runs.front()];
+    if (cover.part.kind == CoverKind::kStraight && !cover.edges.empty()) {
+      int& most = longest[table.edges[at(cover.edges.front())].run];
       most = std::max(most, cover.part.index - 1);
     }
   }

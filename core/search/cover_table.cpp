@@ -21,8 +21,10 @@ struct Stretch {
 
 class TableMaker {
  public:
-  TableMaker(const layout::LayoutProblem& problem, const AnnealingOptions& options)
-      : problem_(problem), graph_(problem.graph), options_(options) {}
+  TableMaker(const layout::LayoutProblem& problem,
+             const AnnealingOptions& options,
+             Bridging bridging)
+      : problem_(problem), graph_(problem.graph), options_(options), bridging_(bridging) {}
 
   CoverTable make() {
     addEdges();
@@ -47,7 +49,7 @@ class TableMaker {
       const guide::GuideRun& run = graph_.runs[r];
       std::vector<int> numbers(at(run.edgeCount()), 0);
       for (std::size_t j = 0; j < run.junctions.size(); ++j) {
-        if (guide::mayBridge(run, graph_.junctions[at(run.junctions[j])])) {
+        if (mayBridge(run, graph_.junctions[at(run.junctions[j])])) {
           const int node = run.junctionIndices[j];
           std::fill(numbers.begin() + std::max(0, node - 1),
                     numbers.begin() + std::min(run.edgeCount(), node + 1),
@@ -64,11 +66,26 @@ class TableMaker {
     }
   }
 
+  [[nodiscard]] bool mayBridge(const guide::GuideRun& run, const guide::Junction& junction) const {
+    if (bridging_ == Bridging::kWhereNeeded || guide::mayBridge(run, junction)) {
+      return guide::mayBridge(run, junction);
+    }
+    return run.principal && std::any_of(junction.incident.begin(),
+                                        junction.incident.end(),
+                                        [&](const guide::Incidence& incidence) {
+                                          const guide::GuideRun& other =
+                                              graph_.runs[at(incidence.run)];
+                                          return other.axes.size() > 1 || other.axes != run.axes;
+                                        });
+  }
+
   void add(CoverPart part, int parts, const std::vector<Stretch>& stretches) {
     TableCover cover{part, parts, {}, {}};
     for (const Stretch& stretch : stretches) {
       const std::vector<int>& numbers = numbers_[at(stretch.run)];
-      cover.runs.push_back(stretch.run);
+      if (bridging_ == Bridging::kWhereNeeded) {
+        cover.runs.push_back(stretch.run);
+      }
       const int last = std::min(stretch.last, static_cast<int>(numbers.size()));
       for (int e = std::max(0, stretch.first); e < last; ++e) {
         if (numbers[at(e)] != kBridged) {
@@ -78,7 +95,9 @@ class TableMaker {
     }
     std::sort(cover.runs.begin(), cover.runs.end());
     std::sort(cover.edges.begin(), cover.edges.end());
-    table_.covers.push_back(std::move(cover));
+    if (!cover.runs.empty() || !cover.edges.empty()) {
+      table_.covers.push_back(std::move(cover));
+    }
   }
 
   void addStraight(int run) {
@@ -146,8 +165,11 @@ class TableMaker {
       const int length = layout::axleParts()[at(axle)].length;
       for (int run = 0; run < static_cast<int>(graph_.runs.size()); ++run) {
         if (mayHaveAxle(graph_, run, length)) {
-          byRun[at(run)].push_back(static_cast<int>(table_.covers.size()));
+          const auto number = static_cast<int>(table_.covers.size());
           add({CoverKind::kAxle, axle}, 1, {{run, 0, graph_.runs[at(run)].edgeCount()}});
+          if (static_cast<int>(table_.covers.size()) > number) {
+            byRun[at(run)].push_back(number);
+          }
         }
       }
     }
@@ -168,14 +190,17 @@ class TableMaker {
   const layout::LayoutProblem& problem_;
   const guide::GuidingGraph& graph_;
   const AnnealingOptions& options_;
+  Bridging bridging_;
   std::vector<std::vector<int>> numbers_;  // by run and edge: its place in the table, or kBridged
   CoverTable table_;
 };
 
 }  // namespace
 
-CoverTable makeCoverTable(const layout::LayoutProblem& problem, const AnnealingOptions& options) {
-  return TableMaker(problem, options).make();
+CoverTable makeCoverTable(const layout::LayoutProblem& problem,
+                          const AnnealingOptions& options,
+                          Bridging bridging) {
+  return TableMaker(problem, options, bridging).make();
 }
 
 }  // namespace liftarm::search

@@ -56,6 +56,11 @@ export function beamsOverBound({ beamsMedian, bound }) {
   return beamsMedian === null || !bound ? null : (100 * (beamsMedian - bound)) / bound;
 }
 
+/** A report whose gaps are counted as the paper does: whether or not a spacer fills them. */
+export function inPapersCount(report) {
+  return { ...report, gaps: report.gaps + report.filledGaps };
+}
+
 /** A field of a CSV file (RFC 4180). */
 export function csvField(value) {
   const text = value === null || value === undefined ? '' : String(value);

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { ABLATIONS, summariseAblation } from '../../scripts/lib/ablations.mjs';
 import { figures, geometricMean, markdownTable, secondsText } from '../../scripts/lib/markdown.mjs';
+import { inPapersCount } from '../../scripts/lib/statistics.mjs';
 
 const run = (sketch, buildable, beams, bricks) => ({
   sketch,
@@ -46,6 +47,10 @@ test('figures come in the order of the design', () => {
   expect(figures({ beams: 1, bricks: 2, gaps: 3, collisions: 4, failedConnections: 5 })).toBe(
     '1 / 2 / 3 / 4 / 5',
   );
+});
+
+test('a gap that a spacer fills is one in the count of the paper', () => {
+  expect(inPapersCount({ beams: 3, gaps: 1, filledGaps: 2 })).toMatchObject({ beams: 3, gaps: 3 });
 });
 
 test('the geometric mean of a ratio and its inverse is one', () => {

@@ -1,5 +1,6 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import { brickSetSettings, SET_PARTS } from '../../web/src/model/brick-set.ts';
+import { readPlacements } from '../../web/src/solver/proof/placements.ts';
 import type { ExportFormat, SolveProgress } from '../../web/src/solver/protocol.ts';
 import { SOLVER_STATUSES } from '../../web/src/solver/solver-module.ts';
 import { SOLVE_DE } from '../../web/src/ui/text/de/solve.ts';
@@ -154,6 +155,23 @@ test('an unknown setting is refused by its name', () => {
 test('a text that is no model is refused by check and export', () => {
   expect(module.checkModelJson('{}').status).toBe('invalidInput');
   expect(module.exportModel('nonsense', 'mpd').status).toBe('invalidInput');
+});
+
+test('what may be laid for a sketch is listed for proofs, by the parts in use', () => {
+  const listed = (set: object) => {
+    const { status, text } = module.placementsJson(exampleText('cube'), JSON.stringify({ set }));
+    expect(status).toBe('ok');
+    return readPlacements(text);
+  };
+  const all = listed({});
+  expect(new Set(all.covers.map(({ kind }) => kind))).toContain('bent');
+  expect(all.covers.every(({ part, parts }) => /^\d+/.test(part) && parts > 0)).toBe(true);
+  expect(all.edges[0]).toEqual({ run: 0, index: expect.any(Number) });
+  expect(all.quickBound).toBeGreaterThan(0);
+  expect(all.rivals.flat().every((c) => all.covers[c]?.kind === 'axle')).toBe(true);
+  const few = listed({ 'search.corners': 0, 'search.axles': 0, 'owned.32524': 3 });
+  expect(new Set(few.covers.map(({ kind }) => kind))).toEqual(new Set(['straight']));
+  expect(few.limits).toEqual([{ part: '32524', owned: 3 }]);
 });
 
 test('a cube has symmetries to offer that it does not name, and its own file still reads with them', () => {

@@ -65,6 +65,21 @@ TEST_F(Command, CheckOfABadModelExitsWithTwo) {
   EXPECT_NE(outcome.out.find("separate"), std::string::npos);
 }
 
+TEST_F(Command, ListsPlacementsOfThePartsInUse) {
+  const std::string sketch = write("line.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
+  const Outcome outcome = run("placements '" + sketch + "' --set lengths=2,5 --set owned.32316=1");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const auto listed = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(listed.at("format"), "liftarm-placements");
+  EXPECT_EQ(listed.at("edges").size(), 8U);
+  EXPECT_EQ(listed.at("quickBound"), 2);
+  EXPECT_EQ(listed.at("limits").at(0).at("owned"), 1);
+  for (const auto& cover : listed.at("covers")) {
+    EXPECT_EQ(cover.at("kind"), "straight");
+    EXPECT_LE(cover.at("edges").size(), 4U);
+  }
+}
+
 TEST_F(Command, RefusesBadInputWithOneLine) {
   const std::string good = write("good.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
   expectRefused("solve '" + (folder_ / "none.json").string() + "'", "cannot be opened");
@@ -77,14 +92,22 @@ TEST_F(Command, RefusesBadInputWithOneLine) {
   expectRefused("solve '" + good + "' --set nonsense", "expected key=value");
   expectRefused("solve '" + good + "' --set nosuchkey=1", "nosuchkey");
   expectRefused("check '" + good + "'", "liftarm-model");
+  expectRefused("placements '" + good + "' --set nosuchkey=1", "nosuchkey");
   expectRefused("solve", "SKETCH");
 }
 
 TEST_F(Command, HelpTellsAllOptions) {
   const Outcome outcome = run("--help");
   EXPECT_EQ(outcome.exitCode, 0);
-  for (const char* word :
-       {"solve", "check", "--seed", "--preset", "--method", "--set", "--json", "-o"}) {
+  for (const char* word : {"solve",
+                           "check",
+                           "placements",
+                           "--seed",
+                           "--preset",
+                           "--method",
+                           "--set",
+                           "--json",
+                           "-o"}) {
     EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
   }
 }

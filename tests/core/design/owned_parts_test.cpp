@@ -35,7 +35,9 @@ TEST(OwnedParts, AreNotExceededWhereOthersServe) {
 
 TEST(OwnedParts, SpacersAreNotExceeded) {
   const sketch::Sketch grid = testing::gridSketch(4);
-  const int spacers = solve(grid, json::object()).count("18654");
+  const Solved usual = solve(grid, json::object());
+  const int spacers = usual.count("18654");
+  EXPECT_EQ(usual.report["filledGaps"], spacers);
   ASSERT_GT(spacers, 1);
   const Solved none = solve(grid, {{"owned.18654", 0}});
   EXPECT_EQ(none.count("18654"), 0);

@@ -232,7 +232,7 @@ TEST(Report, HasTheKeysOfTheDesignButItsTimes) {
 
 TEST(Report, HasTheKeysOfLaterWork) {
   const json report = json::parse(finished(testing::squareSketch(8))->reportJson());
-  for (const char* key : {"rigidSubsets", "freedoms", "balanced", "assemblable"}) {
+  for (const char* key : {"rigidSubsets", "freedoms", "balanced", "assemblable", "filledGaps"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
 }

@@ -134,6 +134,13 @@ TEST(CoverTable, LeavesOutEdgesThatAMechanismMayBridge) {
   }));
 }
 
+TEST(CoverTable, LeavesOutMoreWhereHoleAxesMayDifferAnyway) {
+  const layout::LayoutProblem problem =
+      layout::makeLayoutProblem(testing::graphOf(testing::teeSketch()));
+  EXPECT_EQ(makeCoverTable(problem, {}).edges.size(), 14U);
+  EXPECT_EQ(makeCoverTable(problem, {}, Bridging::kWherePossible).edges.size(), 11U);
+}
+
 TEST(CoverTable, AxlesThatWouldCrossAreRivals) {
   const CoverTable table = tableOf(testing::cornerSketch(4));
   ASSERT_EQ(table.rivals.size(), 1U);

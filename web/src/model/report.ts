@@ -31,7 +31,9 @@ export interface Report {
   readonly bricks?: number;
   /** Lines, or straight chains of them, that an axle covers instead of beams. */
   readonly axles?: number;
+  /** Empty layers in stacks that nothing fills, and those that spacers fill. */
   readonly gaps?: number;
+  readonly filledGaps?: number;
   readonly collisions?: number;
   readonly uncovered?: number;
   readonly failedConnections?: number;

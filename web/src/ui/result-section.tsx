@@ -36,7 +36,7 @@ export function ProblemSection({ result }: { readonly result: ResultState }) {
   );
 }
 
-/** What should be nothing, and the fewest beams that straight ones alone could do with. */
+/** What should be nothing, and the fewest beams that any parts in use could do with. */
 export function FigureSection({ result }: { readonly result: ResultState }) {
   const { stale } = usePage();
   const { beamsLowerBound: bound } = result.report;

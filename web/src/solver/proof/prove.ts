@@ -26,10 +26,14 @@ export interface ProofProgress {
   readonly leaves: number;
 }
 
-export const PROOF_DEFAULTS: ProofOptions = Object.freeze({ seconds: 60, leaves: 4000 });
+export const PROOF_DEFAULTS: ProofOptions = Object.freeze({ seconds: 60, leaves: 1000 });
 
 const UNIT = 2 ** 20;
 const SLACK = 1e-6;
+/** Of each kind of branch that are tried before one is taken. */
+const MOST_CANDIDATES = 5;
+/** Weight of the side of a branch that proves more. */
+const HIGHER_SIDE = 0.1;
 
 /**
  * Proves how many beams and axles along lines any choice from these placements has at least, whatever
@@ -175,34 +179,52 @@ class PieceProof {
     return sum;
   }
 
-  /**
-   * Rows of which it is open how many columns are in all of them: one row, else two, else all of a column.
-   * Null where every choice is whole.
-   */
+  /** The candidate whose two sides prove most; null where every choice is whole. */
   #branchingRows(optimum: LinearOptimum): readonly number[] | null {
-    const open = [...optimum.chosen].filter(([, share]) => share < 1 - SLACK);
-    const columns = open.map(([c]) => (this.#programme.columns[c] as Column).rows);
-    const kinds: (() => Iterable<readonly number[]>)[] = [
-      () => [...new Set(columns.flat())].map((row) => [row]),
-      () => columns.flatMap((rows) => pairsOf(rows)),
-      () => columns,
-    ];
-    for (const candidates of kinds) {
-      let best: readonly number[] | null = null;
-      let bestDistance = 0.5 - 1e-4;
-      for (const rows of candidates()) {
-        const sum = this.#sumOver(rows, optimum);
-        const distance = Math.abs(sum - Math.floor(sum) - 0.5);
-        if (distance < bestDistance) {
-          best = rows;
-          bestDistance = distance;
-        }
-      }
-      if (best !== null) {
-        return best;
+    let best: readonly number[] | null = null;
+    let bestScore = -1;
+    for (const rows of this.#candidates(optimum)) {
+      const most = Math.floor(this.#sumOver(rows, optimum) + SLACK);
+      const fewer = this.#valueBelow({ rows, sense: 'most', count: most });
+      const more = this.#valueBelow({ rows, sense: 'least', count: most + 1 });
+      const score = Math.min(fewer, more) + HIGHER_SIDE * Math.max(fewer, more);
+      if (score > bestScore) {
+        best = rows;
+        bestScore = score;
       }
     }
-    return null;
+    return best;
+  }
+
+  #valueBelow(branch: Branch): number {
+    this.#linear.push(branch);
+    const { value } = this.#linear.solve();
+    this.#linear.pop();
+    return value;
+  }
+
+  /**
+   * Rows of which it is open how many columns are in all of them, some that are most open: one row, or two,
+   * or where these leave nothing open all rows of a column.
+   */
+  #candidates(optimum: LinearOptimum): (readonly number[])[] {
+    const columns = [...optimum.chosen]
+      .filter(([, share]) => share < 1 - SLACK)
+      .map(([c]) => (this.#programme.columns[c] as Column).rows);
+    const mostOpen = (candidates: readonly (readonly number[])[]) => {
+      const seen = new Map(candidates.map((rows) => [rows.join(), rows]));
+      return [...seen.values()]
+        .map((rows) => ({ rows, openness: openness(this.#sumOver(rows, optimum)) }))
+        .filter((candidate) => candidate.openness > 1e-4)
+        .sort((a, b) => b.openness - a.openness)
+        .slice(0, MOST_CANDIDATES)
+        .map(({ rows }) => rows);
+    };
+    const some = [
+      ...mostOpen(columns.flat().map((row) => [row])),
+      ...mostOpen(columns.flatMap(pairsOf)),
+    ];
+    return some.length > 0 ? some : mostOpen(columns);
   }
 
   #leafOf({ prices, branchPrices }: LinearOptimum): Leaf {
@@ -247,6 +269,11 @@ class PieceProof {
 }
 
 type Leaf = Extract<ProofTree, { prices: unknown }>;
+
+/** How far from a whole number: from 0 to a half. */
+function openness(sum: number): number {
+  return Math.abs(sum - Math.round(sum));
+}
 
 function pairsOf(rows: readonly number[]): (readonly number[])[] {
   return rows.flatMap((a, i) => rows.slice(i + 1).map((b) => [a, b]));

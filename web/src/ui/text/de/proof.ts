@@ -15,5 +15,5 @@ export const PROOF_DE: Words<typeof PROOF_EN> = {
   failed: 'Das ließ sich nicht beweisen.',
   unknown: 'Bekannt nur bei Modellen, die hier erzeugt wurden.',
   about:
-    'Zählt alle Arten, wie die benutzten Teile die Linien abdecken könnten, gleich in welchen Schichten, mit nicht mehr Achsen auf Linien als in diesem Modell.',
+    'Zählt alle Arten, wie die benutzten Teile die Linien abdecken könnten, gleich in welchen Schichten, mit nicht mehr Achsen auf Linien als in diesem Modell. Frei bleiben Kanten nur neben Ecken, denen keine Richtung der Löcher allein genügt.',
 };

@@ -67,7 +67,7 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     noModelText: 'Zeichnen Sie Linien und drücken Sie auf Erzeugen.',
     noModelAuto: 'Es kommt von selbst, kurz nachdem Sie gezeichnet haben.',
     beams: 'Balken',
-    bound: 'mindestens {n} sind nötig',
+    bound: 'Mindestens {n} Balken sind nötig.',
     bricks: 'Teile',
     gaps: 'Lücken',
     collisions: 'Zusammenstöße',

@@ -14,5 +14,5 @@ export const PROOF_EN = {
   failed: 'This could not be proved.',
   unknown: 'Known for models that were generated here.',
   about:
-    'Counts every way in which the parts in use could cover the lines, whatever their layers, with no more axles along lines than this model has.',
+    'Counts every way in which the parts in use could cover the lines, whatever their layers, with no more axles along lines than this model has. Edges are left bare only next to corners that no single direction of holes serves.',
 };

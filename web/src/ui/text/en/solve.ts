@@ -63,7 +63,7 @@ export const SOLVE_EN = {
     noModelText: 'Draw lines and press Generate.',
     noModelAuto: 'It comes by itself a moment after you have drawn.',
     beams: 'Beams',
-    bound: 'at least {n} are needed',
+    bound: 'At least {n} beams are needed.',
     bricks: 'Bricks',
     gaps: 'Gaps',
     collisions: 'Collisions',
