@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
-import { applyDelta, diffSketch, invertDelta } from '../../../web/src/state/delta.ts';
+import { applyDelta, diffSketch, invertDelta, isDelta } from '../../../web/src/state/delta.ts';
 import { removeLines, splitAt } from '../../../web/src/state/edits.ts';
 import { paintLines, setBeamColour, setScheme } from '../../../web/src/state/paint-lines.ts';
 import { readSketch, writeSketch } from '../../../web/src/state/read-sketch.ts';
@@ -30,6 +30,7 @@ describe('colours of a sketch', () => {
   it('are undone and done again', () => {
     const delta = diffSketch(SKETCH, PAINTED);
     expect(applyDelta(SKETCH, delta)).toEqual(PAINTED);
+    expect(isDelta(delta) && isDelta(invertDelta(delta))).toBe(true);
     expect(applyDelta(PAINTED, invertDelta(delta))).toEqual(SKETCH);
   });
 

@@ -127,11 +127,12 @@ export function isDelta(value: unknown): value is SketchDelta {
   if (!isRecord(value)) {
     return false;
   }
-  const { name, ground } = value;
+  const { name, ground, colours } = value;
   return (
     LISTS.every((key) => value[key] === undefined || isSplice(value[key])) &&
     (name === undefined || isChange(name, 'string')) &&
-    (ground === undefined || isChange(ground, 'number'))
+    (ground === undefined || isChange(ground, 'number')) &&
+    (colours === undefined || isChange(colours, 'object'))
   );
 }
 
@@ -153,7 +154,7 @@ function isSplice(value: unknown): boolean {
   );
 }
 
-function isChange(value: unknown, type: 'string' | 'number'): boolean {
+function isChange(value: unknown, type: 'string' | 'number' | 'object'): boolean {
   const known = (side: unknown) => side === null || typeof side === type;
   return isRecord(value) && known(value['before']) && known(value['after']);
 }
