@@ -6,10 +6,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "design/earlier_json.h"
 #include "design/attempt.h"
+#include "design/earlier_json.h"
 #include "design/measures.h"
 #include "design/model_builder.h"
+#include "design/paint.h"
 #include "design/report.h"
 #include "design/settings.h"
 #include "layout/stack.h"
@@ -25,9 +26,10 @@ using nlohmann::json;
 
 class Session final : public DesignSession {
  public:
-  Session(sketch::Reading reading, Settings settings)
+  Session(sketch::Reading reading, sketch::SketchColours colours, Settings settings)
       : notes_(sketch::notesOn(reading)),
         sketch_(std::move(reading.sketch)),
+        colours_(std::move(colours)),
         settings_(std::move(settings)),
         attempts_(sketch_, settings_),
         table_(attempts_.table()) {}
@@ -54,8 +56,9 @@ class Session final : public DesignSession {
   [[nodiscard]] std::string modelJson() const override { return model::writeModel(model()); }
 
   [[nodiscard]] std::string layoutJson() const override {
-    return earlierJson(
-               search::earlierLayout(attempts_.problem().graph, attempts_.problem().sites, attempts_.search().best().covers))
+    return earlierJson(search::earlierLayout(attempts_.problem().graph,
+                                             attempts_.problem().sites,
+                                             attempts_.search().best().covers))
         .dump();
   }
 
@@ -66,11 +69,14 @@ class Session final : public DesignSession {
 
  private:
   [[nodiscard]] model::Model model() const {
-    const std::string sketchText = sketch::writeSketch(sketch_);
+    const std::string sketchText = sketch::writeSketch(sketch_, colours_);
     if (attempts_.search().best().covers.empty()) {
       return {sketch_.name, {}, sketchText};  // asked before the first step
     }
-    return buildModel(attempts_.problem(), table_, attempts_.search().best(), sketch_.name, sketchText);
+    model::Model built = buildModel(
+        attempts_.problem(), table_, attempts_.search().best(), sketch_.name, sketchText);
+    paint(colours_, built);
+    return built;
   }
 
   //! What each weighted term of the objective adds for the best layout: measured when there is a
@@ -84,7 +90,8 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] json measureTerms() const {
-    const objective::Measures measures = measuresOf(attempts_.problem(), table_, attempts_.search().best());
+    const objective::Measures measures =
+        measuresOf(attempts_.problem(), table_, attempts_.search().best());
     const objective::Weights& weights = settings_.annealing.weights;
     json terms = json::object();
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -98,6 +105,7 @@ class Session final : public DesignSession {
 
   std::vector<sketch::Note> notes_;
   sketch::Sketch sketch_;
+  sketch::SketchColours colours_;
   Settings settings_;
   Attempts attempts_;
   const mechanisms::MechanismTable& table_;
@@ -117,8 +125,8 @@ base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_v
   if (!settings.ok()) {
     return settings.error();
   }
-  std::unique_ptr<DesignSession> session =
-      std::make_unique<Session>(std::move(sketch).value(), std::move(settings).value());
+  std::unique_ptr<DesignSession> session = std::make_unique<Session>(
+      std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(settings).value());
   return session;
 }
 

@@ -9,6 +9,7 @@
 #include "design/json_values.h"
 #include "design/measures.h"
 #include "design/owned_parts.h"
+#include "design/paint.h"
 #include "design/well_built_json.h"
 #include "layout/components.h"
 #include "objective/symmetry_measure.h"
@@ -191,6 +192,7 @@ std::string makeReport(const ReportInput& input) {
       {"mass", rounded(check.counts.mass)},
       {"size", pointJson(check.counts.size)},
       {"missing", missing},
+      {"unusualColours", countUnusualColours(input.model)},
       {"buildable",
        check.buildable && tallies.violations() == 0 && missing.empty() && !best.covers.empty()},
       {"items", itemsJson(check)},

@@ -9,6 +9,7 @@
 #include "sketch/json_fields.h"
 #include "sketch/json_text.h"
 #include "sketch/sketch_checks.h"
+#include "sketch/sketch_colours.h"
 #include "sketch/snap.h"
 
 namespace liftarm::sketch {
@@ -19,6 +20,7 @@ using nlohmann::json;
 
 constexpr std::string_view kFormat = "technic-sketch";
 constexpr double kVersion = 1;
+constexpr double kLatestVersion = 2;  // adds colours
 
 //! Reads the members of a document into a sketch, in the order in which a person would.
 class SketchReader {
@@ -26,7 +28,8 @@ class SketchReader {
   explicit SketchReader(const json& document) : document_(document) {}
 
   base::Result<Reading> read() {
-    if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_)) {
+    if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_) ||
+        !checkColours()) {
       return fields_.error();
     }
     std::vector<Line> drawn = sketch_.lines;
@@ -59,20 +62,40 @@ class SketchReader {
     if (version == nullptr || !fields_.number(*version, "version", 1e9, number)) {
       return false;
     }
-    if (number != kVersion) {
-      return fields_.fail("version", shortNumber(number) + " is not known; expected 1");
+    if (number != kVersion && number != kLatestVersion) {
+      return fields_.fail("version", shortNumber(number) + " is not known; expected 1 or 2");
     }
-    return fields_.object(document_,
-                          "",
-                          {"format",
-                           "version",
-                           "name",
-                           "lines",
-                           "joints",
-                           "symmetries",
-                           "keepOut",
-                           "ground"}) &&
-           readName();
+    return checkKeys(number == kLatestVersion) && readName();
+  }
+
+  bool checkKeys(bool latest) {
+    return latest ? fields_.object(document_,
+                                   "",
+                                   {"format",
+                                    "version",
+                                    "name",
+                                    "lines",
+                                    "joints",
+                                    "symmetries",
+                                    "keepOut",
+                                    "ground",
+                                    "colours"})
+                  : fields_.object(document_,
+                                   "",
+                                   {"format",
+                                    "version",
+                                    "name",
+                                    "lines",
+                                    "joints",
+                                    "symmetries",
+                                    "keepOut",
+                                    "ground"});
+  }
+
+  //! The search knows nothing of colours; whoever paints reads them again (sketch_colours.h).
+  bool checkColours() {
+    SketchColours colours;
+    return readColours(document_, fields_, static_cast<int>(sketch_.lines.size()), colours);
   }
 
   bool readName() {

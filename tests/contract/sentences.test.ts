@@ -53,7 +53,7 @@ function* mutations(document: Json, root: Json = document): Generator<string> {
 
 const SKETCH = {
   format: 'technic-sketch',
-  version: 1,
+  version: 2,
   name: 'frame',
   lines: [
     { from: [0, 0, 0], to: [4, 0, 0], exact: true },
@@ -67,6 +67,7 @@ const SKETCH = {
   ],
   keepOut: [{ min: [8, 8, 8], max: [9, 9, 9] }],
   ground: 0,
+  colours: { scheme: 'length', default: 71, kinds: { pin: 0 }, lines: { 1: 4 } },
 };
 
 const TEXTS = [

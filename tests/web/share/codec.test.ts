@@ -31,6 +31,16 @@ const STATE_2 = {
   settings: { effort: 2, off: ['55615'], owned: { 2780: 40 }, advanced: 'corners=false' },
 };
 
+/** And what version 3 added. */
+const STATE_3 = {
+  ...STATE_2,
+  sketch: {
+    ...STATE_2.sketch,
+    version: 2 as const,
+    colours: { scheme: 'component', kinds: { pin: 4 }, lines: { 1: 14 } } as const,
+  },
+};
+
 async function fragment(): Promise<string> {
   const encoded = await encodeShare(STATE);
   return encoded.ok ? encoded.value : '';
@@ -57,6 +67,18 @@ describe('share link', () => {
     const path = new URL('./fixtures/v2-seesaw.txt', import.meta.url);
     const read = await decodeShare(readFileSync(path, 'utf8').trim());
     expect(read).toEqual({ ok: true, value: STATE_2 });
+  });
+
+  it('holds colours', async () => {
+    const encoded = await encodeShare(STATE_3);
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read).toEqual({ ok: true, value: STATE_3 });
+  });
+
+  it('reads the links of version 3 for ever', async () => {
+    const path = new URL('./fixtures/v3-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE_3 });
   });
 
   it('leaves a fragment alone that is not its own', async () => {

@@ -9,7 +9,7 @@ describe('readSketch', () => {
     ['empty', '', 'the file is empty'],
     ['broken JSON', '{"format":', 'not JSON'],
     ['another format', '{"format":"x","version":1,"lines":[]}', 'format:'],
-    ['a later version', '{"format":"technic-sketch","version":2,"lines":[]}', 'version:'],
+    ['a later version', '{"format":"technic-sketch","version":3,"lines":[]}', 'version:'],
     ['no lines', sketch('"name":"a"'), 'lines: should be a list'],
     [
       'a text for a number',

@@ -38,6 +38,8 @@ export interface Report {
   readonly uncovered?: number;
   readonly failedConnections?: number;
   readonly pinHeadRatio?: number;
+  /** Parts in another colour than the catalogue knows them in. */
+  readonly unusualColours?: number;
   /** Mean distance of beams from their lines, modules. */
   readonly deviation?: number;
   readonly layerRange?: number;

@@ -1,4 +1,5 @@
 import { type AxisName, distance, lerp, subtract, type Vec3 } from '../geometry/vec.ts';
+import type { SketchColours } from './sketch-colours.ts';
 
 /** One straight line of whole length, as the sketch format (DESIGN 3) writes it. */
 export interface SketchLine {
@@ -40,10 +41,10 @@ export interface KeepOutBox {
   readonly max: Vec3;
 }
 
-/** A sketch file, version 1. */
+/** A sketch file; version 2 where it says something of colours. */
 export interface SketchDocument {
   readonly format: 'technic-sketch';
-  readonly version: 1;
+  readonly version: 1 | 2;
   readonly name?: string;
   readonly lines: readonly SketchLine[];
   readonly joints?: readonly SketchJoint[];
@@ -51,6 +52,7 @@ export interface SketchDocument {
   readonly keepOut?: readonly KeepOutBox[];
   /** No part may lie below this z. */
   readonly ground?: number;
+  readonly colours?: SketchColours;
 }
 
 /** A sketch without lines. */

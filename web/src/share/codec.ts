@@ -7,6 +7,7 @@ import type {
   SketchLine,
   SketchSymmetry,
 } from '../model/sketch.ts';
+import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
 export interface SharedState {
@@ -47,17 +48,23 @@ interface Version {
 const VERSIONS: Readonly<Record<string, Version>> = {
   '1': { encode: encodeV1, decode: decodeV1 },
   '2': { encode: encodeV2, decode: decodeV2 },
+  '3': { encode: encodeV3, decode: decodeV3 },
 };
-const CURRENT = '2';
+
+/** The oldest version that holds all of a state: its link is the shortest, and older pages read it. */
+function versionFor(state: SharedState): string {
+  return state.sketch.colours ? '3' : '2';
+}
 
 /** The address fragment, without `#`, for a state; a failure when the sketch is too large for a link. */
 export async function encodeShare(state: SharedState): Promise<Outcome<string>> {
   if (state.sketch.lines.length > MAX_LINES) {
     return bad(`A link holds at most ${MAX_LINES} lines. Send the sketch file instead.`);
   }
-  const text = JSON.stringify(VERSIONS[CURRENT]?.encode(state));
+  const version = versionFor(state);
+  const text = JSON.stringify(VERSIONS[version]?.encode(state));
   const packed = toBase64Url(await deflate(text));
-  const fragment = `s${CURRENT}.${packed}.${checksum(packed)}`;
+  const fragment = `s${version}.${packed}.${checksum(packed)}`;
   return fragment.length > MAX_FRAGMENT
     ? bad('This sketch is too large for a link. Send the sketch file instead.')
     : good(fragment);
@@ -160,6 +167,25 @@ function decodeV2(value: unknown): SharedState | null {
   }
   const sketch = symmetries.length > 0 ? { ...state.sketch, symmetries } : state.sketch;
   return { ...state, sketch, ...(settings ? { settings } : {}) };
+}
+
+// Version 3: version 2 with colours behind it.
+
+function encodeV3(state: SharedState): unknown {
+  return [...(encodeV2(state) as unknown[]), state.sketch.colours ?? 0];
+}
+
+function decodeV3(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 10) {
+    return null;
+  }
+  const state = decodeV2(value.slice(0, 9));
+  const colours: unknown = value[9];
+  if (!state || coloursFault(colours, state.sketch.lines.length) !== null) {
+    return null;
+  }
+  const tidy = tidyColours(colours as SketchColours);
+  return tidy ? { ...state, sketch: { ...state.sketch, version: 2, colours: tidy } } : state;
 }
 
 /** @returns undefined for the usual settings, null for what is none. */

@@ -5,6 +5,8 @@ import type {
   SketchLine,
   SketchSymmetry,
 } from '../model/sketch.ts';
+import type { SketchColours } from '../model/sketch-colours.ts';
+import { setColours } from './paint-lines.ts';
 
 /** One replaced stretch of a list: `removed` stood at `at` before, `added` stands there after. */
 export interface Splice<T> {
@@ -27,6 +29,7 @@ export interface SketchDelta {
   readonly keepOut?: Splice<KeepOutBox>;
   readonly name?: Change<string>;
   readonly ground?: Change<number>;
+  readonly colours?: Change<SketchColours>;
 }
 
 const LISTS = ['lines', 'joints', 'symmetries', 'keepOut'] as const;
@@ -61,6 +64,7 @@ export function diffSketch(before: SketchDocument, after: SketchDocument): Sketc
     keepOut: diffList(before.keepOut ?? [], after.keepOut ?? []),
     name: diffValue(before.name, after.name),
     ground: diffValue(before.ground, after.ground),
+    colours: diffValue(before.colours, after.colours),
   };
   // A field that did not change is left out, so that an empty delta is an empty object.
   return Object.fromEntries(Object.entries(delta).filter(([, change]) => change !== undefined));
@@ -80,6 +84,7 @@ export function invertDelta(delta: SketchDelta): SketchDelta {
   if (delta.keepOut) inverse.keepOut = invertSplice(delta.keepOut);
   if (delta.name) inverse.name = { before: delta.name.after, after: delta.name.before };
   if (delta.ground) inverse.ground = { before: delta.ground.after, after: delta.ground.before };
+  if (delta.colours) inverse.colours = { before: delta.colours.after, after: delta.colours.before };
   return inverse;
 }
 
@@ -107,7 +112,14 @@ export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDo
     if (delta.ground.after === null) delete next.ground;
     else next.ground = delta.ground.after;
   }
-  return next;
+  return withColours(next, delta.colours);
+}
+
+function withColours(
+  sketch: SketchDocument,
+  change: Change<SketchColours> | undefined,
+): SketchDocument {
+  return change ? setColours(sketch, change.after) : sketch;
 }
 
 /** Whether a value from outside is a delta. */
@@ -115,11 +127,12 @@ export function isDelta(value: unknown): value is SketchDelta {
   if (!isRecord(value)) {
     return false;
   }
-  const { name, ground } = value;
+  const { name, ground, colours } = value;
   return (
     LISTS.every((key) => value[key] === undefined || isSplice(value[key])) &&
     (name === undefined || isChange(name, 'string')) &&
-    (ground === undefined || isChange(ground, 'number'))
+    (ground === undefined || isChange(ground, 'number')) &&
+    (colours === undefined || isChange(colours, 'object'))
   );
 }
 
@@ -141,7 +154,7 @@ function isSplice(value: unknown): boolean {
   );
 }
 
-function isChange(value: unknown, type: 'string' | 'number'): boolean {
+function isChange(value: unknown, type: 'string' | 'number' | 'object'): boolean {
   const known = (side: unknown) => side === null || typeof side === type;
   return isRecord(value) && known(value['before']) && known(value['after']);
 }
@@ -168,7 +181,7 @@ function setList<K extends ListKey>(
 }
 
 function diffValue<T>(before: T | undefined, after: T | undefined): Change<T> | undefined {
-  return before === after ? undefined : { before: before ?? null, after: after ?? null };
+  return same(before, after) ? undefined : { before: before ?? null, after: after ?? null };
 }
 
 function applySplice<T>(list: readonly T[], splice: Splice<T>): T[] {

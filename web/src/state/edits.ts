@@ -10,6 +10,7 @@ import {
 } from '../model/sketch.ts';
 
 import { followLines } from './follow-lines.ts';
+import { paintLines, renumberColours } from './paint-lines.ts';
 
 // Every edit is a function from a sketch to a sketch; nothing here touches a store.
 
@@ -60,7 +61,8 @@ export function removeLines(sketch: SketchDocument, indices: ReadonlySet<number>
       lines.push(line);
     }
   });
-  return withReferences({ ...sketch, lines }, sketch, renumbered);
+  const next = withReferences({ ...sketch, lines }, sketch, renumbered);
+  return renumberColours(next, renumbered);
 }
 
 /** Replaces the lines at the given indices, one for one. */
@@ -138,7 +140,9 @@ export function splitAt(sketch: SketchDocument, index: number, at: Vec3): Sketch
     return sketch;
   }
   const lines = sketch.lines.map((old, i) => (i === index ? halves[0] : old));
-  return { ...sketch, lines: [...lines, halves[1]] };
+  const split = { ...sketch, lines: [...lines, halves[1]] };
+  const colour = sketch.colours?.lines?.[index];
+  return colour === undefined ? split : paintLines(split, new Set([lines.length]), colour);
 }
 
 /** Marks lines as exact (layer 0), or not. */

@@ -8,6 +8,7 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
+import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
 
 // What the page needs to trust a sketch before it draws it. The core's reader is the authority on the
 // format; this one keeps the same limits (core/sketch/sketch_json.h) so that the page cannot be hurt.
@@ -65,8 +66,8 @@ function readDocument(json: unknown): SketchDocument {
   if (root['format'] !== 'technic-sketch') {
     throw new Refusal('format: should be "technic-sketch"');
   }
-  if (root['version'] !== 1) {
-    throw new Refusal('version: should be 1');
+  if (root['version'] !== 1 && root['version'] !== 2) {
+    throw new Refusal('version: should be 1 or 2');
   }
   const lines = list(root['lines'], 'lines', MAX_LINES).map((line, i) =>
     readLine(line, `lines[${i}]`),
@@ -80,9 +81,10 @@ function readDocument(json: unknown): SketchDocument {
     readSymmetry(value, `symmetries[${i}]`, lines.length),
   );
   const keepOut = optional('keepOut').map((value, i) => readBox(value, `keepOut[${i}]`));
+  const colours = readColours(root, lines.length);
   return {
     format: 'technic-sketch',
-    version: 1,
+    version: colours ? 2 : 1,
     ...(typeof root['name'] === 'string' ? { name: root['name'].slice(0, MAX_NAME) } : {}),
     lines,
     ...(joints.length > 0 ? { joints } : {}),
@@ -91,7 +93,21 @@ function readDocument(json: unknown): SketchDocument {
     ...(root['ground'] === undefined || root['ground'] === null
       ? {}
       : { ground: coordinate(root['ground'], 'ground') }),
+    ...(colours ? { colours } : {}),
   };
+}
+
+/** Version 1 has no colours; nothing else tells the two apart. */
+function readColours(root: Record<string, unknown>, lineCount: number): SketchColours | null {
+  const { colours } = root;
+  if (root['version'] === 1 || colours === undefined) {
+    return null;
+  }
+  const fault = coloursFault(colours, lineCount);
+  if (fault !== null) {
+    throw new Refusal(fault);
+  }
+  return tidyColours(colours as SketchColours);
 }
 
 function readLine(json: unknown, place: string): SketchLine {

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { shortages } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CheckPanel } from './check-panel.tsx';
+import { ColoursSection } from './colours-section.tsx';
 import { CommandButton, Section } from './controls.tsx';
 import { Icon } from './icon.tsx';
 import { LayoutList } from './layout-list.tsx';
@@ -65,6 +66,7 @@ function DrawPanel() {
       {shown && !long ? <Downloads /> : null}
       <SearchChart />
       <SymmetrySection />
+      <ColoursSection />
       <SettingsSection />
     </>
   );

@@ -48,6 +48,8 @@ const SKETCH: Sentences = [
     'keine Skizze: erwartet wird ein Objekt mit format, version und lines',
   ],
   ['{found} is not known; expected {wanted}', '{found} ist nicht bekannt; erwartet wird {wanted}'],
+  ['{found} is no colour; expected {wanted}', '{found} ist keine Farbe; erwartet wird {wanted}'],
+  ['{found} is no line; expected {wanted}', '{found} ist keine Linie; erwartet werden {wanted}'],
   ['longer than {n} bytes', 'länger als {n} Byte'],
   [
     'holds a line break or another control character',
@@ -207,7 +209,14 @@ const FIELDS: Sentences = [
   ['should be "x", "y" or "z"', 'muss "x", "y" oder "z" sein'],
   ['should be "reflection" or "translation"', 'muss "reflection" oder "translation" sein'],
   ['should be "technic-sketch"', 'muss "technic-sketch" sein'],
+  ['{key} is not known', '{key} ist nicht bekannt'],
   ['should be 1', 'muss 1 sein'],
+  ['should be 1 or 2', 'muss 1 oder 2 sein'],
+  ['should be one of {list}', 'muss eins von {list} sein'],
+  [
+    'should be an LDraw code from {low} to {high}',
+    'muss eine LDraw-Nummer von {low} bis {high} sein',
+  ],
 ];
 
 const SETTINGS: Sentences = [

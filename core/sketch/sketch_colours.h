@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "base/status.h"
+#include "sketch/json_fields.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::sketch {
+
+//! \brief What a sketch of version 2 says of colours, all LDraw codes. Empty: nothing.
+//! \details A line's colour goes before that of a kind, that before `standard`, that before the
+//! scheme. The search knows nothing of it.
+struct SketchColours {
+  std::optional<std::string> scheme;  //!< one of kColourSchemes
+  std::optional<int> standard;        //!< "default": beams
+  std::map<std::string, int> kinds;   //!< by one of kColourKinds
+  std::map<int, int> lines;           //!< by line
+
+  [[nodiscard]] bool empty() const {
+    return !scheme.has_value() && !standard.has_value() && kinds.empty() && lines.empty();
+  }
+};
+
+//! How beams are coloured where nothing else is said: by their length (the default), by the
+//! component that they are in, or as the catalogue has them.
+inline constexpr std::string_view kColourSchemes[] = {"length", "component", "usual"};
+
+//! Kinds of parts with a colour of their own; "bent" are beams that are not straight.
+inline constexpr std::string_view kColourKinds[] = {
+    "beam", "bent", "pin", "axle", "connector", "bush", "gear"};
+
+inline constexpr int kMaxColour = 511;  //!< LDraw's codes end there; direct colours are none
+
+//! \brief Reads the member `colours` of a document.
+//! \return False when `fields` has noted what is wrong.
+bool readColours(const nlohmann::json& document,
+                 FieldReader& fields,
+                 int lineCount,
+                 SketchColours& colours);
+
+//! \brief The colours of a sketch's text. \pre readSketch accepts it.
+SketchColours coloursOf(std::string_view text);
+
+//! \brief writeSketch() with colours; of version 1 where there are none.
+std::string writeSketch(const Sketch& sketch, const SketchColours& colours);
+
+}  // namespace liftarm::sketch
