@@ -2,10 +2,14 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { FIRST_MODEL } from '../web/src/app/first-model.ts';
-import { expect, test } from './helpers/test.ts';
+import { expect, runCommand, test } from './helpers/test.ts';
 
 test.use({ draws: false });
 
+const TOP = resolve(import.meta.dirname, '..');
+const PACKAGE = JSON.parse(readFileSync(join(TOP, 'package.json'), 'utf8')) as {
+  dependencies: Record<string, string>;
+};
 const DIST = resolve(import.meta.dirname, '..', process.env['LIFTARM_DIST'] ?? 'dist');
 
 function kilobytes(file: string): number {
@@ -54,6 +58,27 @@ test('the WebAssembly module stays within its budget', () => {
     /^liftarm-core.*\.wasm$/.test(name),
   );
   expect(sum(modules.map((name) => `assets/${name}`))).toBeLessThan(640);
+});
+
+test('the licences of all that ships are there', async ({ page }) => {
+  const text = readFileSync(join(DIST, 'licences.txt'), 'utf8');
+  for (const name of [
+    ...Object.keys(PACKAGE.dependencies),
+    'Eigen',
+    'JSON for Modern C++',
+    'Emscripten runtime',
+    'musl',
+    'libc++',
+    'Mozilla Public License Version 2.0',
+    'LDraw.org Parts Library',
+  ]) {
+    expect(text).toContain(name);
+  }
+  await page.goto('./');
+  await runCommand(page, 'about');
+  const link = page.getByRole('link', { name: 'The licences of all of them' });
+  const reply = await page.request.get((await link.getAttribute('href')) ?? 'missing');
+  expect(await reply.text()).toBe(text);
 });
 
 test('nothing jumps while the page begins', async ({ page }) => {

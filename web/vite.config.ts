@@ -2,6 +2,7 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vitest/config';
 import { contentPolicy, serviceWorker } from './pwa/build-plugin.ts';
 import { firstModel } from './pwa/first-model-plugin.ts';
+import { licences } from './pwa/licences-plugin.ts';
 
 const root = import.meta.dirname;
 const top = resolve(root, '..');
@@ -18,7 +19,12 @@ export default defineConfig({
   cacheDir: resolve(top, 'node_modules/.vite'),
   resolve: { alias: { '@wasm': wasm } },
   worker: { format: 'es' },
-  plugins: [contentPolicy(), firstModel({ wasm, public: publicDir }), serviceWorker(() => outDir)],
+  plugins: [
+    contentPolicy(),
+    firstModel({ wasm, public: publicDir }),
+    licences({ top }),
+    serviceWorker(() => outDir),
+  ],
   server: { fs: { allow: [top] } },
   build: {
     // three.js alone is more than the default of 500 kB; e2e holds a budget for the whole page.
