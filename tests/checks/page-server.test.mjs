@@ -4,7 +4,6 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { pageServer } from '../../scripts/lib/page-server.mjs';
-import { serveOptions } from '../../scripts/lib/serve-options.mjs';
 import { ownAddresses } from '../../scripts/serve.mjs';
 
 const LARGE = 8 * 2 ** 20;
@@ -111,10 +110,6 @@ describe('the server of the page', () => {
 });
 
 describe('its options', () => {
-  it.each(['abc', '-1', '70000', '1.5', ''])('--port %j is refused in one sentence', (port) => {
-    expect(() => serveOptions([`--port=${port}`], {})).toThrow(/whole number up to 65535/);
-  });
-
   it('the address of this machine is printed, not that of itself alone', () => {
     const interfaces = {
       lo: [{ family: 'IPv4', internal: true, address: '127.0.0.1' }],
