@@ -79,7 +79,7 @@ test('in a frame of another origin nothing is kept, and nothing that is kept is 
   );
   await page.goto('./someone-else.html');
   const frame = page.frameLocator('iframe');
-  await expect(frame.getByLabel('Name of the sketch')).toHaveValue('Linked');
+  await expect(frame.getByLabel('Name of the sketch')).toHaveValue('Linked', { timeout: 90_000 });
   await expect(frame.getByRole('alert')).toContainText('nothing is kept');
   await frame.getByLabel('Seed', { exact: true }).fill('99');
   await frame.getByLabel('Seed', { exact: true }).press('Enter');
