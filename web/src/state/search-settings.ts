@@ -14,8 +14,14 @@ export interface SearchSettings {
   readonly advanced: string;
 }
 
-/** The presets of the core (core/design/settings.h); tests/contract/contract.test.ts compares them. */
-export const PRESETS: readonly string[] = ['simple', 'faithful', 'simple-rigid', 'faithful-rigid'];
+/** The presets of the core (core/objective/objective.h); tests/contract/contract.test.ts asks it for each. */
+export const PRESETS: readonly string[] = [
+  'balanced',
+  'simple',
+  'faithful',
+  'simple-rigid',
+  'faithful-rigid',
+];
 
 export const USUAL_SEARCH: SearchSettings = Object.freeze({
   preset: 'simple',
