@@ -70,19 +70,19 @@ test('in a frame of another origin nothing is kept, and nothing that is kept is 
   await expect(page.locator('html')).toHaveAttribute('data-kept', 'kept');
   const before = await keptText(page);
   const link = await linkWith({ preset: 'faithful', owned: {} });
-  // Of the same site, by its port another origin: it has the very storage.
-  await page.route('**/someone-else.html', (route) =>
-    route.fulfill({
-      contentType: 'text/html',
-      body: `<iframe width="1000" height="700" src="${server.address}${link}"></iframe>`,
-    }),
-  );
-  await page.goto('./someone-else.html');
+  // Of the same site, by its port another origin: it has the very storage. A page of somebody else's, with no policy.
+  await page.route('**/favicon.ico', (route) => route.fulfill({ status: 204 }));
+  await page.goto('./licences.txt');
+  await page.evaluate((address) => {
+    const element = document.createElement('iframe');
+    Object.assign(element, { src: address, width: '1000', height: '700' });
+    document.body.replaceChildren(element);
+  }, server.address + link);
   const frame = page.frameLocator('iframe');
   await expect(frame.getByLabel('Name of the sketch')).toHaveValue('Linked', { timeout: 90_000 });
   await expect(frame.getByRole('alert')).toContainText('nothing is kept');
-  await frame.getByLabel('Seed', { exact: true }).fill('99');
-  await frame.getByLabel('Seed', { exact: true }).press('Enter');
+  await frame.getByLabel('Name of the sketch').fill('Drawn in a frame');
+  await frame.getByLabel('Name of the sketch').press('Enter');
   await expect(frame.locator('html')).toHaveAttribute('data-kept', 'kept');
   await page.goto(server.address);
   await expect(page.locator('html')).toHaveAttribute('data-kept', 'kept');

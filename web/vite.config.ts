@@ -10,6 +10,8 @@ const outDir = resolve(top, process.env['LIFTARM_DIST'] ?? 'dist');
 const publicDir = resolve(top, 'public');
 const wasm = resolve(top, process.env['LIFTARM_WASM'] ?? 'build/wasm');
 
+const shipped = licences({ top });
+
 // Vitest reads the same file (field `test`).
 export default defineConfig({
   root,
@@ -18,11 +20,11 @@ export default defineConfig({
   publicDir,
   cacheDir: resolve(top, 'node_modules/.vite'),
   resolve: { alias: { '@wasm': wasm } },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [shipped.worker] },
   plugins: [
     contentPolicy(),
     firstModel({ wasm, public: publicDir }),
-    licences({ top }),
+    shipped.page,
     serviceWorker(() => outDir),
   ],
   server: { fs: { allow: [top] } },

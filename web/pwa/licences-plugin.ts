@@ -5,22 +5,42 @@ import type { Plugin } from 'vite';
 const FILE = 'licences.txt';
 const RULE = `\n${'='.repeat(80)}\n\n`;
 
+type Bundle = Readonly<
+  Record<string, { readonly moduleIds?: readonly string[] }>
+>;
+
 export interface LicenceFolders {
   /** The top of the project: LICENSE, NOTICE, and `licences/` with the texts of what the solver links. */
   readonly top: string;
 }
 
-/** Writes licences.txt: the licence of everything that the built page holds. A package without a text ends the build. */
-export function licences(folders: LicenceFolders): Plugin {
+/**
+ * Writes licences.txt: the licence of everything that the built page holds. A package without a text ends the build.
+ * Workers are bundled apart and before the page: their plugin takes note of what is in them.
+ */
+export function licences(folders: LicenceFolders): { readonly page: Plugin; readonly worker: Plugin } {
+  const shipped = new Set<string>();
+  const note = (bundle: Bundle) => {
+    for (const file of Object.values(bundle)) {
+      for (const id of file.moduleIds ?? []) {
+        shipped.add(id);
+      }
+    }
+  };
   return {
-    name: 'liftarm-licences',
-    apply: 'build',
-    generateBundle(_, bundle) {
-      const modules = Object.values(bundle).flatMap((file) =>
-        file.type === 'chunk' ? file.moduleIds : [],
-      );
-      const source = licencesText(packagesOf(modules), folders);
-      this.emitFile({ type: 'asset', fileName: FILE, source });
+    worker: {
+      name: 'liftarm-licences-of-workers',
+      apply: 'build',
+      generateBundle: (_, bundle) => note(bundle),
+    },
+    page: {
+      name: 'liftarm-licences',
+      apply: 'build',
+      generateBundle(_, bundle) {
+        note(bundle);
+        const source = licencesText(packagesOf([...shipped]), folders);
+        this.emitFile({ type: 'asset', fileName: FILE, source });
+      },
     },
   };
 }
