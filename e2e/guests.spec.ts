@@ -53,6 +53,11 @@ test('a link’s settings are those of its sketch, and what is not known of them
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
   await page.reload();
   await expect(page.getByLabel('Seed', { exact: true })).toHaveValue('3');
+  await page.locator('details').evaluateAll((sections) => {
+    for (const section of sections) {
+      (section as HTMLDetailsElement).open = true;
+    }
+  });
   await page.getByRole('button', { name: 'Use my settings' }).click();
   await expect(page.getByLabel('Seed', { exact: true })).toHaveValue('7');
   const text = await page.evaluate(() => localStorage.getItem('liftarm/preferences'));
