@@ -1,8 +1,6 @@
 import { defineConfig } from '@playwright/test';
 
-const port = Number(process.env['LIFTARM_E2E_PORT'] ?? 4317);
-
-const MEASURES = /(frames|budget)\.spec\.ts$/;
+const TIMES = process.env['LIFTARM_PAGE_TIMES'] !== undefined;
 
 // Drives the built page in Debian's Chromium; no browser is downloaded.
 export default defineConfig({
@@ -12,17 +10,15 @@ export default defineConfig({
   forbidOnly: process.env['CI'] !== undefined,
   retries: 0,
   workers: 2,
-  // Most tests draw no pixel and wait more than they compute, so two go side by side. What measures time
-  // comes after them and alone.
-  projects: [
-    { name: 'together', testIgnore: MEASURES },
-    { name: 'alone', testMatch: MEASURES, workers: 1, dependencies: ['together'] },
-  ],
+  // Most tests draw no pixel and wait more than they compute, so two go side by side. None asks a clock: what
+  // does is a benchmark (scripts/page-times.mjs) and runs alone.
+  ...(TIMES ? { testMatch: /page-times\.ts$/, workers: 1 } : {}),
   timeout: 120_000,
   expect: { timeout: 20_000 },
   reporter: 'list',
   use: {
-    baseURL: `http://127.0.0.1:${port}/`,
+    // Told by the server: a free port each time, so that nothing left behind is in the way.
+    baseURL: `http://127.0.0.1:${process.env['LIFTARM_E2E_PORT']}/`,
     browserName: 'chromium',
     viewport: { width: 1280, height: 800 },
     trace: 'retain-on-failure',
@@ -34,9 +30,9 @@ export default defineConfig({
     },
   },
   webServer: {
-    command: `node scripts/serve.mjs --port ${port}`,
-    url: `http://127.0.0.1:${port}/`,
-    reuseExistingServer: false,
-    timeout: 20_000,
+    // Without a shell in between, it ends with the run, however that ends.
+    command: 'exec node scripts/serve.mjs --port 0 --with-parent',
+    wait: { stdout: /served at http:\/\/127\.0\.0\.1:(?<liftarm_e2e_port>\d+)\// },
+    timeout: 60_000,
   },
 });

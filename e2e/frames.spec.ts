@@ -1,11 +1,9 @@
-// What our own code costs on the page's main thread, and how much it asks of the graphics card. Drawing
-// itself is switched off: without a graphics card it would be all that is measured.
-import type { Browser, Page } from '@playwright/test';
+// How much the page asks of the graphics card, and in which frame it answers the pointer: counted, since a clock tells
+// of the machine (page-times.ts has the clocks). Drawing itself is switched off: without a graphics card it takes long.
+import type { Page } from '@playwright/test';
 import { scaffold } from './helpers/sketches.ts';
 import { canvasPoint, expect, openEmpty, openText, settled, test } from './helpers/test.ts';
 
-/** Milliseconds that the main thread may be taken at one time. */
-const BLOCK = 50;
 const MOVES = 60;
 
 interface Costs {
@@ -71,45 +69,9 @@ async function countDrawing(page: Page): Promise<void> {
   });
 }
 
-interface TraceEvent {
-  readonly name: string;
-  /** `X` is a whole event, with its times. */
-  readonly ph: string;
-  readonly pid: number;
-  readonly tid: number;
-  /** Microseconds of the processor; left out for 0. */
-  readonly tdur?: number;
-  readonly args?: { readonly name?: string };
-}
-
-/**
- * Milliseconds of the processor that each task of a page's main thread took: events, frames, timers,
- * messages of workers, garbage. Not of the clock: that also tells who else was busy.
- */
-async function mainThreadTasks(
-  browser: Browser,
-  page: Page,
-  work: () => Promise<void>,
-): Promise<number[]> {
-  await browser.startTracing(page, {
-    categories: ['toplevel', 'devtools.timeline', 'disabled-by-default-devtools.timeline'],
-  });
-  await work();
-  const raw = await browser.stopTracing();
-  const trace = JSON.parse(raw.toString('utf8')) as { traceEvents: TraceEvent[] };
-  const mains = new Set(
-    trace.traceEvents
-      .filter(({ name, args }) => name === 'thread_name' && args?.name === 'CrRendererMain')
-      .map(({ pid, tid }) => `${pid} ${tid}`),
-  );
-  return trace.traceEvents
-    .filter(
-      ({ name, ph, pid, tid }) => name === 'RunTask' && ph === 'X' && mains.has(`${pid} ${tid}`),
-    )
-    .map(({ tdur }) => (tdur ?? 0) / 1000);
-}
-
-test('with 300 lines and a running search the pointer never waits', async ({ browser, page }) => {
+test('with 300 lines and a running search a picture follows each move of the pointer at once', async ({
+  page,
+}) => {
   await countDrawing(page);
   await openEmpty(page);
   await openText(page, scaffold(14));
@@ -121,16 +83,12 @@ test('with 300 lines and a running search the pointer never waits', async ({ bro
   await page.evaluate(() => {
     window.costs.lags.length = 0;
   });
-  const tasks = await mainThreadTasks(browser, page, async () => {
-    await page.getByRole('button', { name: /^Generate/ }).click();
-    await expect(page.getByRole('progressbar')).toBeVisible();
-    for (let i = 0; i < MOVES; i++) {
-      await page.mouse.move(at.x + 200 * Math.cos(i / 9), at.y + 150 * Math.sin(i / 7));
-    }
-    await expect(page.getByRole('progressbar')).toBeVisible();
-  });
-  expect(tasks.length).toBeGreaterThan(MOVES);
-  expect(Math.max(...tasks)).toBeLessThan(BLOCK);
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  await expect(page.getByRole('progressbar')).toBeVisible();
+  for (let i = 0; i < MOVES; i++) {
+    await page.mouse.move(at.x + 200 * Math.cos(i / 9), at.y + 150 * Math.sin(i / 7));
+  }
+  await expect(page.getByRole('progressbar')).toBeVisible();
   const { lags } = await page.evaluate(() => window.costs);
   expect(lags.length).toBeGreaterThan(10);
   expect(Math.max(...lags)).toBeLessThanOrEqual(2);

@@ -9,7 +9,7 @@ try {
     throw new StepError(`--rounds ${values.rounds}: should be a whole number from 1 to 99999`);
   }
   await timed('build of the page', () => build('web'));
-  const args = ['test', '--no-deps', 'e2e/tabs.spec.ts', '--grep', 'killed at random'];
+  const args = ['test', 'e2e/tabs.spec.ts', '--grep', 'killed at random'];
   await timed('two tabs', () =>
     run(localBin('playwright'), args, { env: { LIFTARM_TAB_ROUNDS: values.rounds } }),
   );

@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { build } from './build.mjs';
-import { capture, exitWith, freePort, localBin, run, StepError, TOP, timed } from './lib/run.mjs';
+import { capture, exitWith, localBin, run, StepError, TOP, timed } from './lib/run.mjs';
 import { setUp } from './setup.mjs';
 
 const RESULTS = resolve(TOP, 'build/test-results');
@@ -115,12 +115,11 @@ async function testUnits() {
 async function testPage() {
   await timed('build of the page', () => build('web'));
   const json = resolve(RESULTS, 'playwright.json');
-  const port = await freePort(4317);
   await timed('browser tests', () =>
     runner('browser', json, {
       command: localBin('playwright'),
       args: ['test', '--reporter=list,json'],
-      env: { PLAYWRIGHT_JSON_OUTPUT_FILE: json, LIFTARM_E2E_PORT: `${port}` },
+      env: { PLAYWRIGHT_JSON_OUTPUT_FILE: json },
       read: readPlaywright,
     }),
   );

@@ -2,12 +2,15 @@ import { resolve } from 'node:path';
 import { defineConfig } from 'vitest/config';
 import { contentPolicy, serviceWorker } from './pwa/build-plugin.ts';
 import { firstModel } from './pwa/first-model-plugin.ts';
+import { licences } from './pwa/licences-plugin.ts';
 
 const root = import.meta.dirname;
 const top = resolve(root, '..');
 const outDir = resolve(top, process.env['LIFTARM_DIST'] ?? 'dist');
 const publicDir = resolve(top, 'public');
 const wasm = resolve(top, process.env['LIFTARM_WASM'] ?? 'build/wasm');
+
+const shipped = licences({ top });
 
 // Vitest reads the same file (field `test`).
 export default defineConfig({
@@ -17,8 +20,13 @@ export default defineConfig({
   publicDir,
   cacheDir: resolve(top, 'node_modules/.vite'),
   resolve: { alias: { '@wasm': wasm } },
-  worker: { format: 'es' },
-  plugins: [contentPolicy(), firstModel({ wasm, public: publicDir }), serviceWorker(() => outDir)],
+  worker: { format: 'es', plugins: () => [shipped.worker] },
+  plugins: [
+    contentPolicy(),
+    firstModel({ wasm, public: publicDir }),
+    shipped.page,
+    serviceWorker(() => outDir),
+  ],
   server: { fs: { allow: [top] } },
   build: {
     // three.js alone is more than the default of 500 kB; e2e holds a budget for the whole page.

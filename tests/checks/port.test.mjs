@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { resolve } from 'node:path';
-import { test } from 'node:test';
+import { test } from 'vitest';
 import { TOP } from '../../scripts/lib/run.mjs';
-import { portOf } from '../../scripts/serve.mjs';
+import { portOf } from '../../scripts/lib/serve-options.mjs';
 
 test('ports are whole numbers from 0 to 65535', () => {
   assert.equal(portOf('0'), 0);

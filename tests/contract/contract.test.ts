@@ -3,6 +3,7 @@ import { brickSetSettings, SET_PARTS } from '../../web/src/model/brick-set.ts';
 import { readPlacements } from '../../web/src/solver/proof/placements.ts';
 import type { ExportFormat, SolveProgress } from '../../web/src/solver/protocol.ts';
 import { SOLVER_STATUSES } from '../../web/src/solver/solver-module.ts';
+import { PRESETS } from '../../web/src/state/search-settings.ts';
 import { SOLVE_DE } from '../../web/src/ui/text/de/solve.ts';
 import { SOLVE_EN } from '../../web/src/ui/text/en/solve.ts';
 import { exampleNames, exampleText, loadModule, solveWithModule } from './module.ts';
@@ -83,6 +84,16 @@ test('the terms of the objective add up to it, and each has a name in both langu
   for (const solve of [SOLVE_EN.solve, SOLVE_DE.solve]) {
     expect(Object.keys(solve.term)).toEqual(expect.arrayContaining(Object.keys(terms)));
   }
+});
+
+test('the core knows every preset that links and storage may name, and the page names no other', () => {
+  for (const preset of PRESETS) {
+    const settings = JSON.stringify({ preset });
+    const session = new module.SolverSession(exampleText('square-frame'), settings);
+    expect([preset, session.opened().status]).toEqual([preset, 'ok']);
+    session.delete();
+  }
+  expect(PRESETS).toEqual(expect.arrayContaining(Object.keys(SOLVE_EN.settings.presets)));
 });
 
 test('settings that spell out every default give the same model as no settings', () => {

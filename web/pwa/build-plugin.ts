@@ -51,10 +51,13 @@ export function serviceWorker(outDir: () => string): Plugin {
   };
 }
 
+/** Files that are not part of the page: itself, and what hosts read instead of serving it. */
+const NOT_KEPT = ['sw.js', '_headers'];
+
 function writeWorker(folder: string): void {
   const files = listFiles(folder)
     .map((file) => relative(folder, file).split(sep).join('/'))
-    .filter((file) => !file.endsWith('.map') && file !== 'sw.js')
+    .filter((file) => !file.endsWith('.map') && !NOT_KEPT.includes(file))
     .sort();
   const core = new Set(['index.html', ...reachable(folder, 'index.html')]);
   core.add('examples/index.json');

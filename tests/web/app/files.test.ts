@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { fileName } from '../../../web/src/app/download.ts';
 import { loadExamples } from '../../../web/src/app/example-list.ts';
 import { MAX_FILE_BYTES, readOpenedFile } from '../../../web/src/app/files.ts';
+import { parseFile } from '../../../web/src/app/reading/parse-file.ts';
 import {
   type SolveResult,
   type SolverClient,
@@ -25,7 +26,11 @@ function client(answer: SolveResult | Error) {
 }
 
 const open = (chosen: Parameters<typeof readOpenedFile>[0], core: SolverClient) =>
-  readOpenedFile(chosen, core, catalogue);
+  readOpenedFile(
+    chosen,
+    { client: core, catalogue, read: async ({ content, parts }) => parseFile(content, parts) },
+    new AbortController().signal,
+  );
 
 const file = (text: string, size = text.length) => ({ size, text: async () => text });
 
@@ -70,6 +75,17 @@ describe('opened files', () => {
       silentClient(),
     );
     expect(read).toMatchObject({ ok: true, value: { kind: 'model' } });
+  });
+
+  it('gives up at once when it is cancelled', async () => {
+    const stop = new AbortController();
+    const never = new Promise<never>((_, reject) => {
+      stop.signal.addEventListener('abort', () => reject(stop.signal.reason));
+    });
+    const help = { client: silentClient(), catalogue, read: () => never };
+    const reading = readOpenedFile(file(SKETCH), help, stop.signal);
+    stop.abort();
+    await expect(reading).rejects.toBe(stop.signal.reason);
   });
 
   it.each([

@@ -81,6 +81,17 @@ describe('.mpd files', () => {
     expect(read.ok ? '' : read.message).toContain(message);
   });
 
+  it('that multiply without a part are refused at once', () => {
+    const level = (n: number) =>
+      [`0 FILE level${n}.ldr`]
+        .concat(Array(30).fill(`1 16 0 0 0 1 0 0 0 1 0 0 0 1 level${n + 1}.ldr`))
+        .join('\n');
+    const bomb = `${[0, 1, 2, 3, 4, 5, 6, 7].map(level).join('\n')}\n0 FILE level8.ldr\n`;
+    expect(bomb.length).toBeLessThan(12_000);
+    const read = readMpd(bomb, catalogue);
+    expect(read.ok ? '' : read.message).toContain('which is the limit');
+  });
+
   it('are told from JSON and .obj', () => {
     expect(looksLikeMpd(TWO)).toBe(true);
     expect(looksLikeMpd('v 0 0 0\n')).toBe(false);

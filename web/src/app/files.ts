@@ -1,25 +1,33 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { SketchDocument } from '../model/sketch.ts';
-import { looksLikeMpd, readMpd } from '../share/read-mpd.ts';
-import { looksLikeObj, readObj } from '../share/read-obj.ts';
 import { type SolverClient, SolverError } from '../solver/client.ts';
-import { MAX_SKETCH_BYTES, readSketch, writeSketch } from '../state/read-sketch.ts';
+import { MAX_SKETCH_BYTES } from '../state/read-sketch.ts';
 import { text } from '../ui/text.ts';
+import type { FileReading } from './reading/file-reader.ts';
 
 export const MAX_FILE_BYTES = 32 * 2 ** 20;
-const PEEK = 4096;
 
 /** What an opened file turned out to be. */
 export type OpenedFile =
   | { readonly kind: 'sketch'; readonly sketch: SketchDocument }
   | { readonly kind: 'model'; readonly json: string };
 
-/** Reads a file that a person chose: a sketch (.json, .obj) or a model (.json, .mpd). On failure one sentence. */
+/** What reading a file needs. */
+export interface FileHelp {
+  readonly client: SolverClient;
+  readonly catalogue: Catalogue;
+  readonly read: FileReading;
+}
+
+/**
+ * Reads a file that a person chose: a sketch (.json, .obj) or a model (.json, .mpd). On failure one sentence. Rejects
+ * with the signal's reason at once when it is aborted.
+ */
 export async function readOpenedFile(
   file: Pick<File, 'size' | 'text'>,
-  client: SolverClient,
-  catalogue: Catalogue,
+  { client, catalogue, read }: FileHelp,
+  signal: AbortSignal,
 ): Promise<Outcome<OpenedFile>> {
   if (file.size > MAX_FILE_BYTES) {
     return bad(text.files.tooLarge);
@@ -33,48 +41,35 @@ export async function readOpenedFile(
   if (content.trim() === '') {
     return bad(text.files.empty);
   }
-  if (looksLikeModel(content)) {
-    return good({ kind: 'model', json: content });
+  const parts = catalogue.parts.map(({ id }) => id);
+  const parsed = await read({ content, parts }, signal);
+  if (!parsed.ok || parsed.value.kind === 'model') {
+    return parsed as Outcome<OpenedFile>;
   }
-  if (looksLikeMpd(content)) {
-    const model = readMpd(content, catalogue);
-    return model.ok ? good({ kind: 'model', json: model.value }) : model;
+  const { read: own, json } = parsed.value;
+  // When it is refused the words are those of the core, which knows best.
+  const refusal = json.length > MAX_SKETCH_BYTES ? null : await askCore(json, client, signal);
+  if (refusal !== null) {
+    return bad(refusal);
   }
-  const sketch = await checkedSketch(content, client);
-  return sketch.ok ? good({ kind: 'sketch', sketch: sketch.value }) : sketch;
-}
-
-/** A model says what it is in its first bytes; everything else is taken for a sketch. */
-function looksLikeModel(content: string): boolean {
-  return content.slice(0, PEEK).includes('"liftarm-model"');
-}
-
-/** Reads a sketch; when it is refused the words are those of the core, which knows best. */
-async function checkedSketch(
-  content: string,
-  client: SolverClient,
-): Promise<Outcome<SketchDocument>> {
-  if (looksLikeObj(content)) {
-    const drawn = readObj(content, '');
-    return drawn.ok ? checkedSketch(writeSketch(drawn.value), client) : drawn;
-  }
-  const read = readSketch(content);
-  if (content.length > MAX_SKETCH_BYTES) {
-    return read;
-  }
-  const refusal = await askCore(content, client);
-  return refusal === null ? read : bad(refusal);
+  return own.ok ? good({ kind: 'sketch', sketch: own.value }) : own;
 }
 
 /** What the core's reader says against a sketch, or null. Ends the search as soon as it has begun. */
-async function askCore(content: string, client: SolverClient): Promise<string | null> {
+async function askCore(
+  content: string,
+  client: SolverClient,
+  signal: AbortSignal,
+): Promise<string | null> {
   const stop = new AbortController();
+  signal.addEventListener('abort', () => stop.abort());
   try {
     const result = await client.solve(
       content,
       {},
       { signal: stop.signal, onProgress: () => stop.abort() },
     );
+    signal.throwIfAborted();
     return result.outcome === 'refused' ? result.message : null;
   } catch (error) {
     if (error instanceof SolverError) {

@@ -1,29 +1,13 @@
 import { newId } from '../base/new-id.ts';
 import { SketchLibrary } from '../state/library.ts';
-import { keptPreferences, PREFERENCES_KEY, type TextStorage } from '../state/preferences.ts';
+import { keptPreferences, PREFERENCES_KEY } from '../state/preferences.ts';
 import { memoryStore, openBrowserStore, type RecordStore } from '../state/storage.ts';
 import { openTabNews } from '../state/tab-news.ts';
 import { text } from '../ui/text.ts';
 import type { PageController } from './page-controller.ts';
+import { isForeignFrame, textStorage } from './text-storage.ts';
 
 // What this browser keeps between visits, and where it may not.
-
-/** Another site that shows the page in a frame must not change what the person has kept here. */
-function isForeignFrame(): boolean {
-  try {
-    return window.top !== window && window.top?.location.origin !== location.origin;
-  } catch {
-    return true;
-  }
-}
-
-function textStorage(kind: 'localStorage' | 'sessionStorage'): TextStorage | null {
-  try {
-    return isForeignFrame() ? null : window[kind];
-  } catch {
-    return null;
-  }
-}
 
 /** @param onMissing told why nothing is kept, where that is so. */
 export async function openStore(onMissing: (message: string) => void): Promise<RecordStore> {

@@ -14,8 +14,7 @@ import { isOwnAddress } from './page-files.ts';
  */
 export async function openLink(controller: PageController, shows: boolean): Promise<boolean> {
   const { toaster } = controller;
-  const shared =
-    shows && isOwnAddress(history.state) ? null : await decodeShare(location.hash.slice(1));
+  const shared = shows && isOwnAddress() ? null : await decodeShare(location.hash.slice(1));
   if (!shared) {
     return false;
   }

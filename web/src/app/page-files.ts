@@ -7,26 +7,44 @@ import type { SolverClient } from '../solver/client.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { fillWords } from '../tools/tool-words.ts';
+import { copyText } from '../ui/share/copy-text.ts';
 import { saveFile } from '../ui/share/save-file.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { fileName } from './download.ts';
 import { readOpenedFile } from './files.ts';
 import type { PageState } from './page-state.ts';
+import { readInWorker } from './reading/file-reader.ts';
 import type { SceneBridge } from './scene-bridge.ts';
 import type { SolveRun } from './solve-run.ts';
+import { textStorage } from './text-storage.ts';
 import type { Toaster } from './toasts.ts';
 
 /** Marks an address that this page has written: after a reload the saved sketch is newer than it. */
 const OWN_ADDRESS = { liftarm: 'own' } as const;
 
+/** In the storage of this tab: the fragment that it has written last. A reload may lose the mark. */
+const OWN_FRAGMENT = 'liftarm/own-fragment';
+
 /** Whether the address came from this page, and not from a link that was opened. */
-export function isOwnAddress(state: unknown): boolean {
-  return (
-    typeof state === 'object' && state !== null && 'liftarm' in state && state.liftarm === 'own'
-  );
+export function isOwnAddress(): boolean {
+  const state: unknown = history.state;
+  const marked =
+    typeof state === 'object' && state !== null && 'liftarm' in state && state.liftarm === 'own';
+  return marked || textStorage('sessionStorage')?.getItem(OWN_FRAGMENT) === location.hash;
 }
 
+function writeAddress(hash: string): void {
+  history.replaceState(OWN_ADDRESS, '', hash === '' ? location.pathname + location.search : hash);
+  try {
+    textStorage('sessionStorage')?.setItem(OWN_FRAGMENT, hash);
+  } catch {
+    // Full: the mark is enough, nearly always.
+  }
+}
+
+/** What is read in less is not spoken of. */
+const READING_SHOWN_MS = 400;
 const PICTURE = { width: 1600, height: 1200 } as const;
 
 /** What opening and saving need of the page. */
@@ -45,6 +63,8 @@ interface FileContext {
 /** Opening and saving files, and the sketch in the address. */
 export class PageFiles {
   readonly #context: FileContext;
+  /** Of the file that is being read, or was last. */
+  #reading = new AbortController();
 
   constructor(context: FileContext) {
     this.#context = context;
@@ -76,13 +96,31 @@ export class PageFiles {
     this.#context.toaster.info(fillWords(text.bricks.imported, { n, name }));
   }
 
+  /** Reads a file; another one that is still being read is given up. */
   readonly openFile = (file: File): void => {
-    this.#context.toaster.clearErrors();
-    this.#open(file).catch(() => this.#refuse(file.name, text.files.unreadable));
+    const { toaster } = this.#context;
+    toaster.clearErrors();
+    this.#reading.abort();
+    const reading = new AbortController();
+    this.#reading = reading;
+    let done: () => void = () => undefined;
+    const timer = setTimeout(() => {
+      const label = text.commands.cancel;
+      const run = () => reading.abort();
+      done = toaster.busy(fillWords(text.files.reading, { name: file.name }), { label, run });
+    }, READING_SHOWN_MS);
+    this.#open(file, reading.signal)
+      .catch(() => (reading.signal.aborted ? null : this.#refuse(file.name, text.files.unreadable)))
+      .finally(() => {
+        clearTimeout(timer);
+        done();
+      });
   };
 
-  async #open(file: File): Promise<void> {
-    const opened = await readOpenedFile(file, this.#context.client, this.#context.state.catalogue);
+  async #open(file: File, signal: AbortSignal): Promise<void> {
+    const { client } = this.#context;
+    const { catalogue } = this.#context.state;
+    const opened = await readOpenedFile(file, { client, catalogue, read: readInWorker }, signal);
     if (!opened.ok) {
       this.#refuse(file.name, opened.message);
       return;
@@ -94,9 +132,8 @@ export class PageFiles {
       this.#context.toaster.info(fillWords(text.files.opened, { name }));
       return;
     }
-    const refusal = await this.#context.run.showFile(opened.value.json, (sketch) => {
-      this.#context.edit(text.edits.open, sketch);
-    });
+    const onSketch = (sketch: SketchDocument) => this.#context.edit(text.edits.open, sketch);
+    const refusal = await this.#context.run.showFile(opened.value.json, onSketch, signal);
     if (refusal !== null) {
       this.#refuse(file.name, refusal);
       return;
@@ -163,15 +200,15 @@ export class PageFiles {
   async updateAddress(): Promise<string | null> {
     const sketch = this.#context.state.store.sketch.value;
     if (sketch.lines.length === 0) {
-      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
+      writeAddress('');
       return null;
     }
     const fragment = await encodeShare(sharedState(sketch, this.#context.state.preferences.value));
     if (!fragment.ok) {
-      history.replaceState(OWN_ADDRESS, '', location.pathname + location.search);
+      writeAddress('');
       return fragment.message;
     }
-    history.replaceState(OWN_ADDRESS, '', `#${fragment.value}`);
+    writeAddress(`#${fragment.value}`);
     return null;
   }
 
@@ -182,7 +219,7 @@ export class PageFiles {
           this.#context.toaster.error(refusal);
           return;
         }
-        await navigator.clipboard.writeText(location.href);
+        await copyText(location.href);
         this.#context.toaster.info(text.files.copied);
       })
       .catch(() => this.#context.toaster.error(text.files.copyFailed));

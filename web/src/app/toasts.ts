@@ -20,6 +20,12 @@ export class Toaster {
     this.#add('error', message, action);
   }
 
+  /** Something is under way that can be cancelled; stays until what is returned is called. */
+  busy(message: string, action: Toast['action']): () => void {
+    const id = this.#add('info', message, action);
+    return () => this.dismiss(id);
+  }
+
   dismiss(id: number): void {
     this.#toasts.value = this.#toasts.value.filter((toast) => toast.id !== id);
   }

@@ -1,6 +1,5 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Mat3, Vec3 } from '../geometry/vec.ts';
-import type { Catalogue } from '../model/catalogue.ts';
 
 const LDU_PER_MODULE = 20;
 const MAX_PARTS = 200_000;
@@ -8,6 +7,8 @@ const MAX_PARTS = 200_000;
 const MAX_ROWS = 400_000;
 const MAX_DEPTH = 8;
 const MAX_FILES = 20_000;
+/** Rows that are followed, counted before any is: submodels multiply, with or without a part in them. */
+const MAX_VISITS = 400_000;
 const MAIN_COLOUR = 16;
 
 /** A place in LDraw's own coordinates: position in LDU, rotation row by row. */
@@ -28,6 +29,11 @@ interface PartRow {
   readonly rotation: Mat3;
 }
 
+/** Says which part numbers there are, as a catalogue does. */
+export interface KnownParts {
+  find(part: string): unknown;
+}
+
 /** What is wrong with the file. */
 class Refusal extends Error {}
 
@@ -35,7 +41,7 @@ class Refusal extends Error {}
  * Reads an LDraw multi-part document whose parts are all in the catalogue, as this program writes it.
  * @returns the text of a model file without a sketch, or one sentence that names the place.
  */
-export function readMpd(text: string, catalogue: Catalogue): Outcome<string> {
+export function readMpd(text: string, catalogue: KnownParts): Outcome<string> {
   try {
     const files = readFiles(text);
     const main = files.keys().next().value;
@@ -45,6 +51,9 @@ export function readMpd(text: string, catalogue: Catalogue): Outcome<string> {
     const parts: PartRow[] = [];
     const root: Place = { position: [0, 0, 0], rotation: [1, 0, 0, 0, 1, 0, 0, 0, 1], color: 7 };
     const reader = new Placer(files, catalogue, parts);
+    if (countVisits(files, main) > MAX_VISITS) {
+      throw new Refusal(`submodels and parts are more than ${MAX_VISITS}, which is the limit`);
+    }
     reader.place(main, root, 0);
     if (parts.length === 0) {
       return bad('the file holds no parts (lines that begin with "1")');
@@ -123,14 +132,35 @@ function readRow(line: string, index: number): Row {
   };
 }
 
+/** How many rows are followed from a file down, each as often as it is come by. */
+function countVisits(
+  files: ReadonlyMap<string, readonly Row[]>,
+  file: string,
+  depth = 0,
+  known = new Map<string, number>(),
+): number {
+  if (depth > MAX_DEPTH) {
+    throw new Refusal(`${file}: submodels are nested more than ${MAX_DEPTH} deep`);
+  }
+  let count = known.get(file);
+  if (count === undefined) {
+    count = 0;
+    for (const row of files.get(file) ?? []) {
+      count += 1 + (files.has(row.file) ? countVisits(files, row.file, depth + 1, known) : 0);
+    }
+    known.set(file, count);
+  }
+  return count;
+}
+
 /** Follows submodels down to parts. */
 class Placer {
   readonly #files: ReadonlyMap<string, readonly Row[]>;
-  readonly #catalogue: Catalogue;
+  readonly #catalogue: KnownParts;
   readonly #parts: PartRow[];
   #rows = 0;
 
-  constructor(files: ReadonlyMap<string, readonly Row[]>, catalogue: Catalogue, parts: PartRow[]) {
+  constructor(files: ReadonlyMap<string, readonly Row[]>, catalogue: KnownParts, parts: PartRow[]) {
     this.#files = files;
     this.#catalogue = catalogue;
     this.#parts = parts;

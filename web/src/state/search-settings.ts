@@ -14,7 +14,7 @@ export interface SearchSettings {
   readonly advanced: string;
 }
 
-/** The presets of the core (core/design/settings.h); tests/contract/contract.test.ts compares them. */
+/** The presets of the core (core/objective/objective.h); tests/contract/contract.test.ts asks it for each. */
 export const PRESETS: readonly string[] = [
   'balanced',
   'simple',

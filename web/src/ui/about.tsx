@@ -12,6 +12,11 @@ export function About() {
       <p>
         {about.licence} {about.librariesTitle}: {about.libraries}
       </p>
+      <p>
+        <a href="./licences.txt" target="_blank" rel="noopener">
+          {about.allLicences}
+        </a>
+      </p>
       <p class="quiet">{about.trademark}</p>
     </Dialog>
   );

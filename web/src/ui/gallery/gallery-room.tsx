@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { usePage } from '../page-context.ts';
+import { copyText } from '../share/copy-text.ts';
 import { linkTo } from '../share/page-link.ts';
 import { formatNumber } from '../text/language.ts';
 import { type GalleryRow, loadGallery, loadGallerySketch, thumbnailOf } from './gallery-index.ts';
@@ -34,7 +35,7 @@ export function GalleryRoom() {
     if (!link.ok) {
       throw new Error(link.message);
     }
-    await navigator.clipboard.writeText(link.value);
+    await copyText(link.value);
     setSaid({ text: fillWords(words.copied, { name: row.title }), bad: false });
   };
   if (turning) {

@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { formatNumber } from '../text/language.ts';
+import { copyText } from './copy-text.ts';
 import { embedHtml } from './page-link.ts';
 import { MAX_QR_BYTES, QrCode, qrSvg } from './qr-code.tsx';
 import { safeName, saveFile } from './save-file.ts';
@@ -15,7 +16,7 @@ function Copyable(props: {
 }) {
   const [said, setSaid] = useState('');
   const copy = () => {
-    navigator.clipboard.writeText(props.text).then(
+    copyText(props.text).then(
       () => setSaid(shareWords.copied),
       () => setSaid(shareWords.copyFailed),
     );

@@ -71,6 +71,7 @@ export const DIALOGS_DE: Words<typeof DIALOGS_EN> = {
     sources:
       'Die Angaben zu den Teilen stammen aus der LDraw.org Parts Library (CC BY 4.0) und der LDCad Shadow Library von Roland Melkert und anderen (CC BY-SA 4.0).',
     licence: 'Lizenz: MIT.',
+    allLicences: 'Die Lizenzen von allen',
     librariesTitle: 'Bibliotheken',
     libraries:
       'Preact, Preact Signals und three.js (MIT); im Rechner Eigen (MPL 2.0) und nlohmann/json (MIT).',

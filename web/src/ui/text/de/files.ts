@@ -29,7 +29,7 @@ export const FILES_DE: Words<typeof FILES_EN> = {
     storeNone:
       'Dieser Browser behält nichts zwischen den Besuchen. Laden Sie die Skizze herunter, bevor Sie gehen.',
     exportFailed: 'Die Datei ließ sich nicht schreiben: {message}',
-    checking: '{name} wird geprüft …',
+    reading: '{name} wird gelesen …',
   },
   tabs: {
     changed: 'In einem anderen Tab geändert; das ist der neueste Stand.',

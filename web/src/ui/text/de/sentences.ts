@@ -25,6 +25,10 @@ const FILES: Sentences = [
     '{file}: submodels are nested more than {n} deep',
     '{file}: Untermodelle liegen mehr als {n}-fach ineinander',
   ],
+  [
+    'submodels and parts are more than {n}, which is the limit',
+    'Untermodelle und Teile sind mehr als {n}; das ist die Grenze',
+  ],
   ['part {part} is not in the catalogue', 'Teil {part} ist nicht im Katalog'],
   [
     'more than {n} rows with all submodels in place, which is the limit',

@@ -71,6 +71,7 @@ export const DIALOGS_EN = {
       'Part facts come from the LDraw.org Parts Library (CC BY 4.0) and the LDCad Shadow Library by Roland Melkert and contributors (CC BY-SA 4.0).',
     licence: 'Licence: MIT.',
     librariesTitle: 'Libraries',
+    allLicences: 'The licences of all of them',
     libraries:
       'Preact, Preact Signals and three.js (MIT); in the solver Eigen (MPL 2.0) and nlohmann/json (MIT).',
   },

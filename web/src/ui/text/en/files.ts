@@ -24,7 +24,7 @@ export const FILES_EN = {
       'In the frame of another site nothing is kept. Download the sketch before you leave.',
     storeNone: 'This browser keeps nothing between visits. Download the sketch before you leave.',
     exportFailed: 'The file could not be written: {message}',
-    checking: 'Checking {name}…',
+    reading: 'Reading {name}…',
   },
   /** What other tabs of this browser do to the sketch that is open. */
   tabs: {
