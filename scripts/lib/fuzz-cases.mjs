@@ -1,0 +1,149 @@
+// Sketches and settings by a seeded generator, for `npm run fuzz`: small ones, so that many can be tried, with
+// joints, pieces, symmetries, boxes that parts keep out of, a ground, and brick sets in which things are missing.
+import { random, randomSketch } from './random-sketches.mjs';
+
+const AXES = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+const SLANTS = [
+  [3, 4],
+  [4, 3],
+  [5, 12],
+];
+/** One in so many is of the larger kinds that `npm run random-sketches` draws. */
+const LARGE_SHARE = 0.1;
+
+const add = (a, b, scale = 1) => a.map((x, i) => x + scale * b[i]);
+const lengthOf = ({ from, to }) => Math.round(Math.hypot(...add(to, from, -1)));
+const nodesOf = (line) => {
+  const n = lengthOf(line);
+  return Array.from({ length: n + 1 }, (_, k) =>
+    add(line.from, add(line.to, line.from, -1), k / n),
+  );
+};
+
+function step(r) {
+  if (r.chance(0.85)) {
+    return AXES[r.whole(0, 2)].map((x) => x * r.whole(1, 8) * r.pick([-1, 1]));
+  }
+  const [a, b] = r.pick(SLANTS);
+  const skipped = r.whole(0, 2);
+  const spans = [a * r.pick([-1, 1]), b * r.pick([-1, 1])];
+  return [0, 1, 2].map((axis) => (axis === skipped ? 0 : spans.pop()));
+}
+
+/** Lines that grow from nodes of those before them. */
+function grown(r, count, origin) {
+  const lines = [];
+  for (let i = 0; i < count; ++i) {
+    const from = i === 0 ? origin : r.pick(nodesOf(r.pick(lines)));
+    lines.push({ from, to: add(from, step(r)) });
+  }
+  return lines;
+}
+
+const isSame = (a, b) => Math.hypot(...add(a, b, -1)) < 1e-6;
+
+/** A joint at a node where lines meet, those on one side drawn by lot; nothing where there is none. */
+function joint(r, lines) {
+  const at = r.pick(nodesOf(r.pick(lines)));
+  const meeting = lines.flatMap((line, i) => (nodesOf(line).some((n) => isSame(n, at)) ? [i] : []));
+  if (meeting.length < 2) {
+    return [];
+  }
+  const cut = r.whole(1, meeting.length - 1);
+  const between = [meeting.slice(0, cut), meeting.slice(cut)];
+  return [{ at, axis: AXES[r.whole(0, 2)], between }];
+}
+
+function mirrored(lines) {
+  const images = lines.map(({ from, to }) => ({
+    from: [-from[0], from[1], from[2]],
+    to: [-to[0], to[1], to[2]],
+  }));
+  return [...lines, ...images];
+}
+
+function sketchOf(r, seed) {
+  if (r.chance(LARGE_SHARE)) {
+    return randomSketch(seed).sketch;
+  }
+  let lines = grown(r, r.whole(1, 8), [0, 0, 0]);
+  if (r.chance(0.15)) {
+    lines = [...lines, ...grown(r, r.whole(1, 3), [r.whole(-9, 9), r.whole(9, 15), 0])];
+  }
+  const sketch = { format: 'technic-sketch', version: 1, name: `fuzz ${seed}`, lines };
+  if (r.chance(0.15)) {
+    sketch.lines = mirrored(lines);
+    sketch.symmetries = [{ kind: 'reflection', normal: [1, 0, 0], offset: 0 }];
+  }
+  const joints = Array.from({ length: r.chance(0.5) ? r.whole(1, 3) : 0 }, () =>
+    joint(r, sketch.lines),
+  ).flat();
+  if (joints.length > 0) {
+    sketch.joints = joints;
+  }
+  if (r.chance(0.15)) {
+    const min = [r.whole(-4, 4), r.whole(-4, 4), r.whole(-4, 4)];
+    sketch.keepOut = [{ min, max: add(min, [r.whole(0, 3), r.whole(0, 3), r.whole(0, 3)]) }];
+  }
+  if (r.chance(0.15)) {
+    sketch.ground = Math.min(...sketch.lines.flatMap(({ from, to }) => [from[2], to[2]])) - 1;
+  }
+  for (const line of sketch.lines) {
+    if (r.chance(0.05)) {
+      line.exact = true;
+    }
+  }
+  return sketch;
+}
+
+function settingsOf(r) {
+  const settings = [`effort=${r.pick(['0.05', '0.2', '1'])}`, `rounds=${r.whole(0, 3)}`];
+  const rare = (share, ...texts) => settings.push(...(r.chance(share) ? [r.pick(texts)] : []));
+  rare(0.2, 'lengths=3,5,9,15', 'lengths=2,3', 'lengths=15');
+  rare(0.1, 'owned.32316=1', 'owned.2780=4', 'owned.32524=0');
+  rare(0.1, 'connectors=2780', 'connectors=2780,6558,3673');
+  rare(0.1, 'search.axles=0', 'search.corners=0', 'search.frames=0', 'search.orbits=0');
+  return settings.flatMap((text) => ['--set', text]);
+}
+
+/** @returns what the seed stands for: a sketch, and options of the command. */
+export function fuzzCase(seed) {
+  const r = random(seed * 2654435761 + 1);
+  const sketch = sketchOf(r, seed);
+  const preset = r.pick(['simple', 'simple', 'faithful', 'simple-rigid']);
+  const method = r.chance(0.05) ? ['--method', 'paper'] : [];
+  return { sketch, args: [...settingsOf(r), '--preset', preset, ...method] };
+}
+
+/** A proper turn about the upright axis or, where nothing is said of up, any of the lattice; then a shift. */
+export function rigidMotion(seed, sketch) {
+  const r = random(seed * 40503 + 7);
+  const shift = [0, 1, 2].map(
+    () => r.whole(-50, 50) + (sketch.keepOut ? 0 : r.pick([0, 0, 1 / 3])),
+  );
+  if (sketch.ground !== undefined) {
+    const turns = [
+      [1, 0, 0, 0, 1, 0, 0, 0, 1],
+      [0, -1, 0, 1, 0, 0, 0, 0, 1],
+      [-1, 0, 0, 0, -1, 0, 0, 0, 1],
+    ];
+    return { turn: r.pick(turns), shift };
+  }
+  const order = r.pick([
+    [0, 1, 2],
+    [1, 2, 0],
+    [2, 0, 1],
+  ]);
+  const signs = r.pick([
+    [1, 1, 1],
+    [1, -1, -1],
+    [-1, 1, -1],
+    [-1, -1, 1],
+  ]);
+  const turn = [0, 1, 2].flatMap((i) => [0, 1, 2].map((k) => (order[i] === k ? signs[i] : 0)));
+  return { turn, shift };
+}
