@@ -102,7 +102,7 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport({problem_, settings_, table_, *search_, sketch_, model()});
+    return makeReport({problem_, settings_, table_, *search_, sketch_, model::asWritten(model())});
   }
 
  private:
