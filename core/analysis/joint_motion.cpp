@@ -92,6 +92,7 @@ class Sweep {
       }
       if (moved && !hit.has_value()) {
         end.degrees = next;
+        step = std::min(step_, 2 * step);
         keys_.emplace_back(sign * next, chain_.poses());
         continue;
       }

@@ -16,8 +16,10 @@ namespace {
 using lattice::Pose;
 using lattice::Vec3;
 
-constexpr double kClosed = 1e-9;  // modules and radians
-constexpr double kLongest = 0.6;  // radians and modules that an angle may change in one move
+constexpr double kClosed = 1e-9;       // modules and radians
+constexpr double kLongest = 0.6;       // radians and modules that an angle may change in one move
+constexpr double kLongestBend = 0.05;  // what a move may differ by from the one before
+constexpr double kFineMove = 9e-3;     // radians of the driver, half a degree: taken as it comes
 constexpr int kMaxIterations = 15;
 constexpr std::size_t kRows = 5;  // equations per loop
 
@@ -225,6 +227,17 @@ bool KinematicChain::jumped() const {
   });
 }
 
+//! Whether the move goes on as the one before did. Where two dead points lie close together, loops
+//! close on both sides of the gap, and a long step would leap it: links that rushed towards the one
+//! come back from the other.
+bool KinematicChain::isSmooth(double turn) const {
+  return std::abs(turn) < kFineMove ||
+         std::all_of(variables_.begin(), variables_.end(), [&](const Variable& v) {
+           return !v.rate.has_value() ||
+                  std::abs(v.value - v.start - *v.rate * turn) < kLongestBend;
+         });
+}
+
 bool KinematicChain::moveTo(double angle) {
   if (!driver_.has_value()) {
     return false;
@@ -233,8 +246,12 @@ bool KinematicChain::moveTo(double angle) {
     v.start = v.value;
   }
   // A link's angle is that of its b against its a; the sign puts it into the tree's direction.
+  const double turn = angle - variables_[*driver_].value;
   variables_[*driver_].value = angle;
-  if (closeLoops()) {
+  if (closeLoops() && isSmooth(turn)) {
+    for (Variable& v : variables_) {
+      v.rate = turn != 0.0 ? std::optional((v.value - v.start) / turn) : v.rate;
+    }
     return true;
   }
   for (Variable& v : variables_) {

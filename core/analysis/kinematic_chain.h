@@ -38,7 +38,8 @@ class KinematicChain {
     double sign = 1.0;  // of the link's own direction
     bool shifts = false;
     double value = 0.0;
-    double start = 0.0;  // of the present move
+    double start = 0.0;                         // of the present move
+    std::optional<double> rate = std::nullopt;  // per radian of the driver, over the move before
   };
 
   void growTree(int base);
@@ -49,6 +50,7 @@ class KinematicChain {
   double improve(const std::vector<double>& errors);
   [[nodiscard]] std::vector<double> loopErrors() const;
   [[nodiscard]] bool jumped() const;
+  [[nodiscard]] bool isSmooth(double turn) const;
 
   Linkage linkage_;  // the driver first
   double unit_ = 1.0;

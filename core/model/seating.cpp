@@ -63,7 +63,7 @@ class Seat {
     if (rigid_ && head.wing.has_value() && hole.wing.has_value()) {
       setWings(malePose.rotation * *head.wing, femalePose.rotation * *hole.wing);
     }
-    setPlace(head, hole);
+    placed_ = isPlaced(hole);
   }
 
   [[nodiscard]] std::vector<Row> rows() const {
@@ -71,11 +71,11 @@ class Seat {
     const Vec3 first = lattice::normalized(lattice::cross(axis_, any));
     std::vector<Row> rows;
     for (const Vec3 side : {first, lattice::cross(axis_, first)}) {
-      rows.push_back(gapRow(side, 0.0));
+      rows.push_back(gapRow(side));
       rows.push_back(turnRow(lattice::cross(axis_, side), lattice::dot(holeAxis_, side)));
     }
     if (placed_) {
-      rows.push_back(gapRow(axis_, place_));
+      rows.push_back(gapRow(axis_));
     }
     if (rigid_) {
       rows.push_back(turnRow(axis_, twist_));
@@ -87,7 +87,7 @@ class Seat {
   [[nodiscard]] bool isRounded() const {
     const double along = lattice::dot(gap_, axis_);
     return lattice::length(gap_ - along * axis_) <= kRoundedGap &&
-           (!placed_ || std::abs(along - place_) <= kRoundedGap) &&
+           (!placed_ || std::abs(along) <= kRoundedGap) &&
            lattice::length(lattice::cross(axis_, holeAxis_)) <= kRoundedTurn &&
            std::abs(twist_) <= kRoundedTurn;
   }
@@ -102,25 +102,18 @@ class Seat {
                                                 : (aside < 0 ? along : -along);
   }
 
-  //! Where along the head the hole lies (connections.cpp, slotInSlot).
-  void setPlace(const Feature& head, const Feature& hole) {
+  //! A thin hole may lie anywhere along a head of full length.
+  static bool isPlaced(const Feature& hole) {
     constexpr double kThin = 0.6;
-    const double headLength = head.length / static_cast<double>(head.slots.size());
-    const double holeLength = hole.length / static_cast<double>(hole.slots.size());
-    const double along = lattice::dot(gap_, axis_);
-    if (holeLength <= kThin) {
-      const double room = std::max(0.0, (headLength - holeLength) / 2);
-      placed_ = head.kind != parts::FeatureKind::kAxle;
-      place_ = along < 0 ? -room : room;
-    }
+    return hole.length / static_cast<double>(hole.slots.size()) > kThin;
   }
 
-  [[nodiscard]] Row gapRow(Vec3 direction, double wanted) const {
+  [[nodiscard]] Row gapRow(Vec3 direction) const {
     return {male_,
             female_,
             shiftAndTurn(-direction, -lattice::cross(maleArm_, direction)),
             shiftAndTurn(direction, lattice::cross(femaleArm_, direction)),
-            lattice::dot(gap_, direction) - wanted};
+            lattice::dot(gap_, direction)};
   }
 
   [[nodiscard]] Row turnRow(Vec3 about, double off) const {
@@ -131,7 +124,6 @@ class Seat {
   std::size_t female_;
   bool rigid_;
   bool placed_ = true;
-  double place_ = 0.0;
   double twist_ = 0.0;
   Vec3 maleArm_;
   Vec3 femaleArm_;

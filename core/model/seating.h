@@ -7,8 +7,8 @@
 namespace liftarm::model {
 
 //! Heads that are further from their holes' lines than this are not seated: that is no rounding.
-inline constexpr double kRoundedGap = 0.012;    //!< modules
-inline constexpr double kRoundedTurn = 2.5e-3;  //!< radians
+inline constexpr double kRoundedGap = 0.018;  //!< modules
+inline constexpr double kRoundedTurn = 4e-3;  //!< radians
 
 //! \brief Takes the rounding of a file out of its poses: rotations become orthonormal, and heads
 //! come to lie exactly in their holes.

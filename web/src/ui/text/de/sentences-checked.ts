@@ -154,7 +154,10 @@ const MOTION: Sentences = [
     '{a} and {b} on its sides are held together as one rigid body',
     '{a} und {b} auf seinen Seiten sind zu einem starren Körper verbunden',
   ],
-  ['{a} and {b} on its sides are not connected', '{a} und {b} auf seinen Seiten hängen nicht zusammen'],
+  [
+    '{a} and {b} on its sides are not connected',
+    '{a} und {b} auf seinen Seiten hängen nicht zusammen',
+  ],
   [
     '{a} and {b} on its sides move against each other, but not about its axis',
     '{a} und {b} auf seinen Seiten bewegen sich gegeneinander, aber nicht um seine Achse',
