@@ -6,7 +6,6 @@
 
 #include "analysis/joint_motion.h"
 #include "core/helpers/four_bars.h"
-#include "model/model_json.h"
 
 namespace liftarm::analysis {
 namespace {
@@ -126,56 +125,6 @@ TEST(FourBars, TurnAsFarAsTheClosedFormSaysAnywhereInSpace) {
     deadPoints += (expected.from > -180 ? 1 : 0) + (expected.to < 180 ? 1 : 0);
   }
   EXPECT_GT(deadPoints, 300) << "the draw has both kinds";
-}
-
-//! What a program would write with so many decimals.
-model::Model rounded(model::Model model, double decimals) {
-  const double unit = std::pow(10.0, -decimals);
-  const auto round = [&](double& value) { value = unit * std::round(value / unit); };
-  for (model::PlacedPart& part : model.parts) {
-    for (double& entry : part.pose.rotation.m) {
-      round(entry);
-    }
-    for (int k = 0; k < 3; ++k) {
-      round(part.pose.position[k]);
-    }
-  }
-  return model;
-}
-
-//! Of the joint between ground and crank, parts 0 and 2.
-JointRange rangeOf(const model::Model& model, const Pose& motion) {
-  const Vec3 pivot = motion.apply({8, 0, 0});
-  Cover ground;
-  ground.part = 0;
-  Cover crank;
-  crank.part = 2;
-  const std::vector<EdgeCover> edges{{0, 0, motion.apply({0, 0, 0}), pivot, {ground}},
-                                     {1, 0, pivot, motion.apply({9, 1, 0}), {crank}}};
-  Scene scene = makeScene(model, parts::Catalogue::builtIn());
-  scene.sketch = sketch::Sketch{};
-  scene.sketch->lines.resize(2);
-  scene.sketch->joints.push_back({pivot, motion.rotation * Vec3{0, 0, 1}, {{0}, {1}}});
-  return JointMover(scene, edges).turnJoint(0).range;
-}
-
-TEST(FourBars, KeepTheirVerdictWithFourToSixDecimalsAnywhereInSpace) {
-  base::Rng rng(2);
-  const JointRange exact = rangeOf(testing::crankAndRocker(1.0), {});
-  ASSERT_TRUE(exact.turns) << exact.message;
-  for (int i = 0; i < 20; ++i) {
-    model::Model model = testing::crankAndRocker(1.0);
-    const Pose motion = testing::randomMotion(rng, 300);
-    for (model::PlacedPart& part : model.parts) {
-      part.pose = testing::after(motion, part.pose);
-    }
-    const base::Result<model::Model> read =
-        model::readModel(model::writeModel(rounded(model, 4 + i % 3)));
-    ASSERT_TRUE(read.ok());
-    const JointRange range = rangeOf(read.value(), motion);
-    EXPECT_NEAR(range.from.degrees, exact.from.degrees, kAgree) << range.message;
-    EXPECT_NEAR(range.to.degrees, exact.to.degrees, kAgree) << range.message;
-  }
 }
 
 }  // namespace
