@@ -18,8 +18,7 @@ namespace {
 
 using lattice::Vec3;
 
-// Radians and modules per unit of motion; coordinates in files are rounded to 1e-6.
-constexpr double kStill = 1e-4;
+constexpr double kStill = 1e-4;  // radians and modules per unit of motion
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -279,11 +278,11 @@ class MotionSorter {
 
   [[nodiscard]] JointMove move(std::size_t joint, const FreeMotion& motion) const {
     JointLine line = query_.joints[joint];
-    if (line.a < 0 || line.b < 0) {
+    if (!line.hasBothSides()) {
       return {};
     }
-    line.a = merged_.bodyOf[at(line.a)];
-    line.b = merged_.bodyOf[at(line.b)];
+    line.a = merged_.bodyOf[at(*line.a)];
+    line.b = merged_.bodyOf[at(*line.b)];
     return jointMove(line, motion.twists);
   }
 
@@ -318,14 +317,16 @@ class MotionSorter {
         frames.push_back(body);
       }
     }
-    for (const Link& link : merged_.linkage.links) {
-      unit = std::max(unit, lattice::length(link.at));
+    const std::vector<Link>& links = merged_.linkage.links;
+    const Vec3 middle = links.empty() ? Vec3{} : links.front().at;
+    for (const Link& link : links) {
+      unit = std::max(unit, lattice::length(link.at - middle));
     }
     ColumnMatrix matrix(6 * frames.size(), motions_.size());
     std::vector<int> lateness;
     for (std::size_t m = 0; m < motions_.size(); ++m) {
       for (std::size_t f = 0; f < frames.size(); ++f) {
-        const std::array<double, 6> entry = scaled(motions_[m].twists[frames[f]], {}, unit);
+        const std::array<double, 6> entry = scaled(motions_[m].twists[frames[f]], middle, unit);
         std::copy(entry.begin(), entry.end(), matrix.column(m) + 6 * f);
       }
       lateness.push_back(static_cast<int>(m) + 1);
@@ -350,9 +351,8 @@ class MotionSorter {
       }
       freedoms.jointTurns.push_back(turns && onAxis);
     }
-    const std::vector<int> noneLater(motions_.size(), 0);
-    freedoms.beyondJoints =
-        freedoms.internal - static_cast<int>(findNullBasis(rates, noneLater).rank);
+    const NullBasis basis = findNullBasis(rates, std::vector<int>(motions_.size(), 0));
+    freedoms.beyondJoints = freedoms.internal - static_cast<int>(basis.rank);
   }
 
   const FreedomsQuery& query_;
@@ -366,10 +366,12 @@ class MotionSorter {
 }  // namespace
 
 JointMove jointMove(const JointLine& joint, const std::vector<Twist>& twists) {
-  const Twist relative = twists[at(joint.b)] - twists[at(joint.a)];
+  const Twist relative = twists[at(joint.b.value())] - twists[at(joint.a.value())];
   JointMove move;
   move.rate = lattice::dot(joint.axis, relative.angular);
-  move.onAxis = isSame(relative, move.rate * turning(joint.at, joint.axis));
+  // Seen from the joint: from far away the least slant of an axis looks like a shift.
+  move.onAxis =
+      isSame({relative.velocityAt(joint.at), relative.angular}, {{}, move.rate * joint.axis});
   return move;
 }
 

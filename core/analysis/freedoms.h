@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/constraints_merge.h"
@@ -11,8 +12,10 @@ namespace liftarm::analysis {
 struct JointLine {
   lattice::Vec3 at;
   lattice::Vec3 axis;
-  int a = -1;  //!< a body on either side; -1 where there is none
-  int b = -1;
+  std::optional<int> a;  //!< a body on either side, where there is one
+  std::optional<int> b;
+
+  [[nodiscard]] bool hasBothSides() const { return a.has_value() && b.has_value(); }
 };
 
 //! \brief What is asked of a linkage.

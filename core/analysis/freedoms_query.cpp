@@ -1,10 +1,14 @@
 #include "analysis/freedoms_query.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "analysis/axle_lines.h"
+#include "analysis/node_index.h"
+#include "analysis/union_find.h"
 
 namespace liftarm::analysis {
 
@@ -13,6 +17,10 @@ namespace {
 using lattice::Vec3;
 
 constexpr double kSamePlace = 0.05;  // modules
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 double distanceToEdge(Vec3 p, const EdgeCover& edge) {
   return std::min(lattice::length(p - edge.from), lattice::length(p - edge.to));
@@ -52,8 +60,10 @@ std::pair<std::vector<int>, std::vector<int>> sidesOf(const sketch::Joint& joint
 }
 
 //! The beam that covers one of the lines nearest to a place.
-int partOf(const std::vector<int>& lines, Vec3 place, const std::vector<EdgeCover>& coverage) {
-  int best = -1;
+std::optional<int> partOf(const std::vector<int>& lines,
+                          Vec3 place,
+                          const std::vector<EdgeCover>& coverage) {
+  std::optional<int> best;
   double nearest = 1e9;
   for (const EdgeCover& edge : coverage) {
     if (std::count(lines.begin(), lines.end(), edge.line) == 0 || edge.covers.empty()) {
@@ -68,29 +78,76 @@ int partOf(const std::vector<int>& lines, Vec3 place, const std::vector<EdgeCove
   return best;
 }
 
-bool coversAny(int part, const std::vector<int>& lines, const std::vector<EdgeCover>& coverage) {
+//! \brief Lines that the drawing holds together: they meet where no joint is, or a joint names them
+//! as one group.
+class DrawnBodies {
+ public:
+  DrawnBodies(const sketch::Sketch& sketch, const std::vector<EdgeCover>& coverage)
+      : groups_(sketch.lines.size()) {
+    const NodeIndex nodes(coverage);
+    for (std::size_t node = 0; node < nodes.points().size(); ++node) {
+      const Vec3 place = nodes.points()[node];
+      const bool turns =
+          std::any_of(sketch.joints.begin(), sketch.joints.end(), [&](const sketch::Joint& joint) {
+            return lattice::length(joint.at - place) < kSamePlace;
+          });
+      const std::vector<int>& edges = nodes.edgesAt(static_cast<int>(node));
+      for (const int edge : edges) {
+        if (!turns) {
+          groups_.join(coverage[at(edge)].line, coverage[at(edges.front())].line);
+        }
+      }
+    }
+    for (const sketch::Joint& joint : sketch.joints) {
+      for (const std::vector<int>& group : joint.between) {
+        for (const int line : group) {
+          groups_.join(line, group.front());
+        }
+      }
+    }
+  }
+
+  //! Whether a line is of the body of some lines.
+  [[nodiscard]] bool isOf(int line, const std::vector<int>& lines) {
+    return std::any_of(lines.begin(), lines.end(), [&](int other) {
+      return groups_.find(line) == groups_.find(other);
+    });
+  }
+
+ private:
+  UnionFind groups_;
+};
+
+bool coversAny(int part,
+               const std::vector<int>& lines,
+               DrawnBodies& bodies,
+               const std::vector<EdgeCover>& coverage) {
   return std::any_of(coverage.begin(), coverage.end(), [&](const EdgeCover& edge) {
-    return std::count(lines.begin(), lines.end(), edge.line) > 0 &&
+    return bodies.isOf(edge.line, lines) &&
            std::any_of(edge.covers.begin(), edge.covers.end(), [&](const Cover& cover) {
              return cover.part == part;
            });
   });
 }
 
-//! For lines without a beam, which an axle stands for: the nearest beam that it holds and that is
-//! not of the other side; the axle itself where it holds none.
-int partOnAxle(const AxleLines& axles,
-               const std::vector<int>& lines,
-               const std::vector<int>& others,
-               Vec3 place,
-               const std::vector<EdgeCover>& coverage) {
-  int best = -1;
+//! For lines without a beam, which an axle stands for: the nearest beam that it goes through, of
+//! those that the drawing holds together with these lines and not with the other side's. The axle
+//! itself where there is none: then it is the axle that turns, as that of two wheels does in both
+//! rails of a chassis.
+std::optional<int> partOnAxle(const AxleLines& axles,
+                              const std::vector<int>& lines,
+                              const std::vector<int>& others,
+                              Vec3 place,
+                              DrawnBodies& bodies,
+                              const std::vector<EdgeCover>& coverage) {
+  std::optional<int> best;
   double nearest = 1e9;
   for (const int axle : axles.ofLines(lines, coverage)) {
-    best = best < 0 ? axle : best;
+    best = best.value_or(axle);
     for (const model::Connection* c : axles.heldBy(axle)) {
       const double distance = lattice::length(c->at - place);
-      if (distance < nearest - kSamePlace && !coversAny(c->female, others, coverage)) {
+      if (distance < nearest - kSamePlace && coversAny(c->female, lines, bodies, coverage) &&
+          !coversAny(c->female, others, bodies, coverage)) {
         nearest = distance;
         best = c->female;
       }
@@ -99,22 +156,52 @@ int partOnAxle(const AxleLines& axles,
   return best;
 }
 
+//! The line of the head that a joint turns on, where one lies there, those of its own parts first:
+//! what a file has rounded may be off the drawing, and a driver beside its pin would lock it.
+void layOnHead(const Scene& scene, JointLine& line) {
+  const JointLine drawn = line;
+  bool own = false;
+  for (const model::Connection& c : scene.connections) {
+    if (!model::isGood(c.fit) || own) {
+      continue;
+    }
+    const lattice::Pose& pose = scene.model->parts[at(c.male)].pose;
+    const parts::Feature& head = scene.parts[at(c.male)].part->features[at(c.maleFeature)];
+    const Vec3 axis = lattice::normalized(pose.rotation * head.axis);
+    const double cosine = lattice::dot(axis, drawn.axis);
+    const Vec3 offset = drawn.at - pose.apply(head.center);
+    const Vec3 aside = offset - lattice::dot(offset, axis) * axis;
+    if (std::abs(cosine) >= model::kCoaxialCosine &&
+        lattice::length(aside) <= model::kCoaxialDistance) {
+      line.at = drawn.at - aside;
+      line.axis = cosine < 0 ? -axis : axis;
+      own = c.male == line.a || c.male == line.b || c.female == line.a || c.female == line.b;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<JointLine> findJointLines(const Scene& scene, const std::vector<EdgeCover>& coverage) {
   std::vector<JointLine> lines;
-  if (!scene.sketch.has_value()) {
+  if (!scene.sketch.has_value() || scene.sketch->joints.empty()) {
     return lines;
   }
   const AxleLines axles(scene);
+  DrawnBodies bodies(*scene.sketch, coverage);
   for (const sketch::Joint& joint : scene.sketch->joints) {
     const auto [first, second] = sidesOf(joint, coverage);
     JointLine line{joint.at,
                    joint.axis,
                    partOf(first, joint.at, coverage),
                    partOf(second, joint.at, coverage)};
-    line.a = line.a < 0 ? partOnAxle(axles, first, second, joint.at, coverage) : line.a;
-    line.b = line.b < 0 ? partOnAxle(axles, second, first, joint.at, coverage) : line.b;
+    if (!line.a.has_value()) {
+      line.a = partOnAxle(axles, first, second, joint.at, bodies, coverage);
+    }
+    if (!line.b.has_value()) {
+      line.b = partOnAxle(axles, second, first, joint.at, bodies, coverage);
+    }
+    layOnHead(scene, line);
     lines.push_back(line);
   }
   return lines;
@@ -132,9 +219,9 @@ FreedomsQuery makeFreedomsQuery(const Scene& scene,
   }
   query.joints = findJointLines(scene, coverage);
   for (const JointLine& joint : query.joints) {
-    for (const int part : {joint.a, joint.b}) {
-      if (part >= 0) {
-        query.frame[static_cast<std::size_t>(part)] = true;  // an axle that is one side of a joint
+    for (const std::optional<int> part : {joint.a, joint.b}) {
+      if (part.has_value()) {
+        query.frame[at(*part)] = true;  // an axle that is one side of a joint
       }
     }
   }

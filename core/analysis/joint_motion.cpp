@@ -8,7 +8,9 @@
 
 #include "analysis/kinematic_chain.h"
 #include "analysis/motion_collisions.h"
+#include "analysis/union_find.h"
 #include "model/number_text.h"
+#include "model/seating.h"
 
 namespace liftarm::analysis {
 
@@ -90,6 +92,7 @@ class Sweep {
       }
       if (moved && !hit.has_value()) {
         end.degrees = next;
+        step = std::min(step_, 2 * step);
         keys_.emplace_back(sign * next, chain_.poses());
         continue;
       }
@@ -182,24 +185,39 @@ JointMover::JointMover(const Scene& scene, const std::vector<EdgeCover>& coverag
   free_.freedoms = findFreedoms(free_.query);
   held_.query = makeFreedomsQuery(scene, coverage, Friction::kHeld);
   held_.freedoms = findFreedoms(held_.query);
+  // Twice the error of one head: both ends of a link may be off. More than that no pin has.
+  constexpr double kMostPlay = 0.02;
+  std::vector<const parts::Part*> parts;
+  for (const ScenePart& part : scene.parts) {
+    parts.push_back(part.part);
+  }
+  slack_ = std::min(kMostPlay, 2.0 * model::seatingError(*scene.model, parts, scene.connections));
 }
 
 std::string JointMover::whyStiff(int joint) const {
   const JointLine& line = free_.query.joints[at(joint)];
   const Freedoms& freedoms = free_.freedoms;
-  if (line.a < 0 || line.b < 0) {
+  if (!line.hasBothSides()) {
     return "no beam covers the lines on one of its sides";
   }
-  if (freedoms.merged.bodyOf[at(line.a)] == freedoms.merged.bodyOf[at(line.b)]) {
-    return nameOf(scene_, line.a) + " and " + nameOf(scene_, line.b) +
+  if (freedoms.merged.bodyOf[at(*line.a)] == freedoms.merged.bodyOf[at(*line.b)]) {
+    return nameOf(scene_, *line.a) + " and " + nameOf(scene_, *line.b) +
            " on its sides are held together as one rigid body";
+  }
+  UnionFind together(at(free_.query.linkage.bodies));
+  for (const Link& link : free_.query.linkage.links) {
+    together.join(link.a, link.b);
+  }
+  if (together.find(*line.a) != together.find(*line.b)) {
+    return nameOf(scene_, *line.a) + " and " + nameOf(scene_, *line.b) +
+           " on its sides are not connected";
   }
   const bool onAxis =
       std::all_of(freedoms.motions.begin(), freedoms.motions.end(), [&](const FreeMotion& m) {
         return jointMove(line, m.twists).onAxis;
       });
   if (!onAxis) {
-    return nameOf(scene_, line.a) + " and " + nameOf(scene_, line.b) +
+    return nameOf(scene_, *line.a) + " and " + nameOf(scene_, *line.b) +
            " on its sides move against each other, but not about its axis";
   }
   return "the rest of the model holds its sides against each other";
@@ -214,20 +232,24 @@ JointMotion JointMover::turnJoint(int joint) const {
   }
   const Study& study = turnsHeld ? held_ : free_;
   const JointLine& line = study.query.joints[at(joint)];
-  int best = -1;
+  std::optional<int> best;
   for (std::size_t m = 0; m < study.freedoms.motions.size(); ++m) {
     const FreeMotion& motion = study.freedoms.motions[m];
     const bool turns = std::abs(jointMove(line, motion.twists).rate) > kMoving;
-    if (motion.joint == joint || (best < 0 && turns)) {
+    if (motion.joint == joint || (!best.has_value() && turns)) {
       best = static_cast<int>(m);
     }
   }
+  if (!best.has_value()) {
+    result.range.message = "Does not turn: " + whyStiff(joint) + ".";
+    return result;
+  }
   Link driver;
-  driver.a = line.a;
-  driver.b = line.b;
+  driver.a = *line.a;
+  driver.b = *line.b;
   driver.at = line.at;
   driver.axis = line.axis;
-  result = run(study, best, driver);
+  result = run(study, *best, driver);
   if (!turnsHeld && result.range.turns) {
     result.range.message += " Pins with friction turn with it.";
   }
@@ -255,6 +277,29 @@ JointMotion JointMover::follow(int motion) const {
   return run(free_, motion, driver);
 }
 
+//! The heaviest body at rest in a motion, of those that links or the driver join to the driver.
+int JointMover::baseOf(const Study& study,
+                       int motion,
+                       const MergedLinkage& locked,
+                       const Link& driver) {
+  UnionFind joined(at(locked.linkage.bodies));
+  joined.join(driver.a, driver.b);
+  for (const Link& link : locked.linkage.links) {
+    joined.join(link.a, link.b);
+  }
+  std::vector<double> weights(at(locked.linkage.bodies), 0.0);
+  for (std::size_t i = 0; i < locked.bodyOf.size(); ++i) {
+    const Twist& twist = study.freedoms.motions[at(motion)].twists[i];
+    const int body = locked.bodyOf[i];
+    if (lattice::length(twist.linear) + lattice::length(twist.angular) < kMoving &&
+        joined.find(body) == joined.find(driver.a)) {
+      weights[at(body)] += 1e-6 + study.query.weight[i];
+    }
+  }
+  const auto heaviest = std::max_element(weights.begin(), weights.end());
+  return *heaviest > 0.0 ? static_cast<int>(heaviest - weights.begin()) : driver.a;
+}
+
 //! \param driver Between two parts.
 JointMotion JointMover::run(const Study& study, int motion, Link driver) const {
   const MergedLinkage locked = lockOthers(study.freedoms, motion);
@@ -265,20 +310,11 @@ JointMotion JointMover::run(const Study& study, int motion, Link driver) const {
     result.range.message = "Does not turn: the rest of the model holds it.";
     return result;
   }
-  // The heaviest body at rest in the motion is the base.
-  std::vector<double> weights(at(locked.linkage.bodies), 0.0);
-  for (std::size_t i = 0; i < locked.bodyOf.size(); ++i) {
-    const Twist& twist = study.freedoms.motions[at(motion)].twists[i];
-    if (lattice::length(twist.linear) + lattice::length(twist.angular) < kMoving) {
-      weights[at(locked.bodyOf[i])] += 1e-6 + study.query.weight[i];
-    }
-  }
-  const int base =
-      static_cast<int>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const int base = baseOf(study, motion, locked, driver);
   const double reach = reachOf(scene_, locked.bodyOf, base, driver);
   const double step = std::clamp(kLargestShift / reach / kDegree, 2 * kSmallestStep, kLargestStep);
   MotionCollisions collisions(scene_, locked.bodyOf);
-  const KinematicChain chain(locked.linkage, driver, base);
+  const KinematicChain chain(locked.linkage, driver, base, slack_);
   Sweep forth(chain, collisions, step);
   Sweep back(chain, collisions, step);
   JointRange& range = result.range;

@@ -64,11 +64,16 @@ class JointMover {
   };
 
   [[nodiscard]] std::string whyStiff(int joint) const;
+  [[nodiscard]] static int baseOf(const Study& study,
+                                  int motion,
+                                  const MergedLinkage& locked,
+                                  const Link& driver);
   [[nodiscard]] JointMotion run(const Study& study, int motion, Link driver) const;
 
   const Scene& scene_;
   Study free_;
   Study held_;
+  double slack_ = 0.0;  // of the pins in their holes
 };
 
 }  // namespace liftarm::analysis

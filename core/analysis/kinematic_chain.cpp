@@ -16,8 +16,10 @@ namespace {
 using lattice::Pose;
 using lattice::Vec3;
 
-constexpr double kClosed = 1e-9;  // modules and radians
-constexpr double kLongest = 0.6;  // radians and modules that an angle may change in one move
+constexpr double kClosed = 1e-9;       // modules and radians
+constexpr double kLongest = 0.6;       // radians and modules that an angle may change in one move
+constexpr double kLongestBend = 0.05;  // what a move may differ by from the one before
+constexpr double kFineMove = 9e-3;     // radians of the driver, half a degree: taken as it comes
 constexpr int kMaxIterations = 15;
 constexpr std::size_t kRows = 5;  // equations per loop
 
@@ -55,8 +57,8 @@ std::array<Vec3, 2> across(Vec3 axis) {
 
 }  // namespace
 
-KinematicChain::KinematicChain(const Linkage& linkage, const Link& driver, int base)
-    : linkage_(linkage) {
+KinematicChain::KinematicChain(const Linkage& linkage, const Link& driver, int base, double slack)
+    : linkage_(linkage), slack_(std::max(slack, kClosed)) {
   LIFTARM_CHECK(driver.turns && !driver.shifts, "the driver turns");
   linkage_.links.insert(linkage_.links.begin(), driver);
   for (const Link& link : linkage_.links) {
@@ -160,50 +162,61 @@ std::vector<double> KinematicChain::loopErrors() const {
   return errors;
 }
 
-//! Newton steps on all variables but the driver.
+//! One step of Newton on all variables but the driver. \return The largest change.
+double KinematicChain::improve(const std::vector<double>& errors) {
+  ColumnMatrix matrix(errors.size(), variables_.size());
+  for (std::size_t i = 0; i < loops_.size(); ++i) {
+    const Link& link = linkage_.links[at(loops_[i])];
+    const Vec3 axis = poses_[at(link.a)].rotation * link.axis;
+    const Vec3 place = poses_[at(link.b)].apply(link.at);
+    const std::array<Vec3, 2> sides = across(axis);
+    const auto addColumn = [&](std::size_t k, double sign) {
+      if (k == driver_) {
+        return;
+      }
+      const Twist screw = sign * screwOf(variables_[k]);
+      const Vec3 velocity = screw.velocityAt(place);
+      const Vec3 swing = lattice::cross(screw.angular, axis);
+      double* column = matrix.column(k) + kRows * i;
+      for (std::size_t s = 0; s < 2; ++s) {
+        column[2 * s] += lattice::dot(velocity, sides[s]) / unit_;
+        column[2 * s + 1] += lattice::dot(swing, sides[s]);
+      }
+      column[4] += link.shifts ? 0.0 : lattice::dot(velocity, axis) / unit_;
+    };
+    for (const std::size_t k : above_[at(link.b)]) {
+      addColumn(k, 1.0);
+    }
+    for (const std::size_t k : above_[at(link.a)]) {
+      addColumn(k, -1.0);
+    }
+  }
+  const std::vector<double> change = solveNearest(matrix, errors);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < variables_.size(); ++k) {
+    variables_[k].value -= change[k];
+    largest = std::max(largest, std::abs(change[k]));
+  }
+  return largest;
+}
+
 bool KinematicChain::closeLoops() {
+  double change = 1.0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     place();
-    std::vector<double> errors = loopErrors();
-    const bool closed =
-        std::all_of(errors.begin(), errors.end(), [](double e) { return std::abs(e) < kClosed; });
-    if (closed) {
+    const std::vector<double> errors = loopErrors();
+    double worst = 0.0;
+    for (const double error : errors) {
+      worst = std::max(worst, std::abs(error));
+    }
+    // Loops whose lengths contradict each other come as near as they can.
+    if (worst < kClosed || (worst < slack_ && change < kClosed)) {
       return !jumped();
     }
     if (jumped()) {
       return false;
     }
-    ColumnMatrix matrix(errors.size(), variables_.size());
-    for (std::size_t i = 0; i < loops_.size(); ++i) {
-      const Link& link = linkage_.links[at(loops_[i])];
-      const Vec3 axis = poses_[at(link.a)].rotation * link.axis;
-      const Vec3 place = poses_[at(link.b)].apply(link.at);
-      const std::array<Vec3, 2> sides = across(axis);
-      const auto addColumn = [&](std::size_t k, double sign) {
-        if (k == driver_) {
-          return;
-        }
-        const Twist screw = sign * screwOf(variables_[k]);
-        const Vec3 velocity = screw.velocityAt(place);
-        const Vec3 swing = lattice::cross(screw.angular, axis);
-        double* column = matrix.column(k) + kRows * i;
-        for (std::size_t s = 0; s < 2; ++s) {
-          column[2 * s] += lattice::dot(velocity, sides[s]) / unit_;
-          column[2 * s + 1] += lattice::dot(swing, sides[s]);
-        }
-        column[4] += link.shifts ? 0.0 : lattice::dot(velocity, axis) / unit_;
-      };
-      for (const std::size_t k : above_[at(link.b)]) {
-        addColumn(k, 1.0);
-      }
-      for (const std::size_t k : above_[at(link.a)]) {
-        addColumn(k, -1.0);
-      }
-    }
-    const std::vector<double> change = solveNearest(matrix, errors);
-    for (std::size_t k = 0; k < variables_.size(); ++k) {
-      variables_[k].value -= change[k];
-    }
+    change = improve(errors);
   }
   return false;
 }
@@ -214,13 +227,31 @@ bool KinematicChain::jumped() const {
   });
 }
 
+//! Whether the move goes on as the one before did. Where two dead points lie close together, loops
+//! close on both sides of the gap, and a long step would leap it: links that rushed towards the one
+//! come back from the other.
+bool KinematicChain::isSmooth(double turn) const {
+  return std::abs(turn) < kFineMove ||
+         std::all_of(variables_.begin(), variables_.end(), [&](const Variable& v) {
+           return !v.rate.has_value() ||
+                  std::abs(v.value - v.start - *v.rate * turn) < kLongestBend;
+         });
+}
+
 bool KinematicChain::moveTo(double angle) {
+  if (!driver_.has_value()) {
+    return false;
+  }
   for (Variable& v : variables_) {
     v.start = v.value;
   }
   // A link's angle is that of its b against its a; the sign puts it into the tree's direction.
-  variables_[driver_].value = angle;
-  if (closeLoops()) {
+  const double turn = angle - variables_[*driver_].value;
+  variables_[*driver_].value = angle;
+  if (closeLoops() && isSmooth(turn)) {
+    for (Variable& v : variables_) {
+      v.rate = turn != 0.0 ? std::optional((v.value - v.start) / turn) : v.rate;
+    }
     return true;
   }
   for (Variable& v : variables_) {

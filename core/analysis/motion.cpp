@@ -1,7 +1,10 @@
 #include "analysis/motion.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
+
+#include "model/number_text.h"
 
 namespace liftarm::analysis {
 
@@ -25,16 +28,25 @@ MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& cov
 
 ItemResult checkJoints(const Scene& scene, const MotionReport& report) {
   ItemResult result;
+  std::optional<double> least;  // of those that turn
   for (std::size_t j = 0; j < report.joints.size(); ++j) {
-    if (!report.joints[j].turns) {
+    const JointRange& range = report.joints[j];
+    if (range.turns) {
+      const double degrees = range.to.degrees - range.from.degrees;
+      least = std::min(least.value_or(degrees), degrees);
+    }
+    if (!range.turns) {
       result.problems.push_back({"joint",
-                                 "joints[" + std::to_string(j) + "]: " + report.joints[j].message,
+                                 "joints[" + std::to_string(j) + "]: " + range.message,
                                  scene.sketch->joints[j].at,
-                                 report.joints[j].to.stoppedBy});
+                                 range.to.stoppedBy});
     }
   }
   result.detail = std::to_string(report.joints.size() - result.problems.size()) + " of " +
                   std::to_string(report.joints.size()) + " joints turn";
+  if (least.has_value()) {
+    result.detail += ", by at least " + model::numberText(*least, 1) + " degrees";
+  }
   return result;
 }
 

@@ -80,6 +80,9 @@ std::string adviceFor(FitHold friction) {
 //! Whether a motion moves the whole frame as one: it does not fold, it rolls or tips over.
 bool movesAsOne(const Frame& frame, const std::vector<Six>& motion) {
   constexpr double kShare = 1e-4;  // of the greatest displacement
+  if (motion.empty()) {
+    return false;
+  }
   const Vec3 turn = rotation(motion.front());
   double greatest = 0.0;
   double apart = 0.0;
@@ -303,6 +306,9 @@ double imbalanceOf(const Frame& frame, const std::vector<Reaction>& reactions) {
 }  // namespace
 
 base::Result<StressState> solveStress(const Scene& scene, const StressOptions& options) {
+  if (scene.parts.empty()) {
+    return base::Error{base::Status::kInfeasible, "the model has no parts: nothing carries"};
+  }
   base::Result<FrameModel> model = makeFrameModel(scene, options);
   if (!model.ok()) {
     return model.error();

@@ -63,8 +63,13 @@ class Session final : public DesignSession {
   }
 
   [[nodiscard]] std::string reportJson() const override {
-    return makeReport(
-        {attempts_.problem(), settings_, table_, attempts_.search(), sketch_, notes_, model()});
+    return makeReport({attempts_.problem(),
+                       settings_,
+                       table_,
+                       attempts_.search(),
+                       sketch_,
+                       notes_,
+                       model::asWritten(model())});
   }
 
  private:

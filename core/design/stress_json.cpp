@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/freedoms.h"
+#include "analysis/freedoms_query.h"
+#include "analysis/materials.h"
 #include "analysis/scene.h"
 #include "analysis/stress.h"
 #include "design/design_session.h"
@@ -62,11 +65,8 @@ ordered_json reportJson(const StressReport& report) {
     reactions.push_back({{"at", pointJson(reaction.at, kDecimals)},
                          {"force", pointJson(reaction.force, kDecimals)}});
   }
-  constexpr double kLeans = 0.01;  // degrees
-  const std::string leans = "It does not stand as drawn: it leans over by " +
-                            model::numberText(report.tilt, 1) + " degrees and rests so";
   return {{"ok", true},
-          {"message", report.tilt > kLeans ? leans : ""},
+          {"message", ""},
           {"maxStress", fine(report.maxStress)},
           {"safety", fine(report.safety)},
           {"maxDisplacement", fine(report.maxDisplacement)},
@@ -78,6 +78,40 @@ ordered_json reportJson(const StressReport& report) {
           {"samples", samples},
           {"pins", pins},
           {"reactions", reactions}};
+}
+
+//! What one must know of the numbers before one believes them.
+std::string caveats(const analysis::Scene& scene,
+                    const analysis::StressOptions& options,
+                    const analysis::StressReport& report) {
+  std::string text;
+  const auto add = [&](const std::string& sentence) {
+    text += (text.empty() ? "" : "; ") + sentence;
+  };
+  constexpr double kLeans = 0.01;  // degrees
+  if (report.tilt > kLeans) {
+    add("It does not stand as drawn: it leans over by " + model::numberText(report.tilt, 1) +
+        " degrees and rests so");
+  }
+  constexpr double kSmall = 0.1;  // of the length: small displacements are what is reckoned with
+  analysis::Box box;
+  for (const analysis::ScenePart& part : scene.parts) {
+    box.add(part.box);
+  }
+  const double length = analysis::kMillimetresPerModule * lattice::length(box.max - box.min);
+  if (report.maxDisplacement > kSmall * length) {
+    add("it moves by more than a tenth of its length, too far for these numbers to hold");
+  }
+  if (options.friction == analysis::FitHold::kHeld) {
+    const int ways =
+        analysis::findFreedoms(analysis::makeFreedomsQuery(scene, {}, analysis::Friction::kFree))
+            .internal;
+    if (ways > 0) {
+      add("friction alone holds " + std::to_string(ways) +
+          " of its freedoms, and how stiff that is, is an assumption");
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -99,7 +133,9 @@ base::Result<std::string> analyseStressJson(std::string_view modelJson,
   }
   ordered_json answer;
   if (state.value().stands) {
-    answer = reportJson(analysis::reportStress(scene, state.value()));
+    const analysis::StressReport report = analysis::reportStress(scene, state.value());
+    answer = reportJson(report);
+    answer["message"] = caveats(scene, options.value(), report);
   } else {
     answer = {{"ok", false}, {"message", state.value().message}, {"moving", state.value().moving}};
   }

@@ -21,12 +21,18 @@ constexpr double kNearRuns = 2.0 * kMaxLayer + 3.5;
 constexpr double kNearJunctions = 8.0;
 constexpr double kBucket = 8.0;
 
+//! At least one: a line that snapping left a little off its plane has the axis it leans least to.
 std::vector<Axis> perpendicularAxes(Vec3 direction) {
   std::vector<Axis> axes;
+  int flattest = 0;
   for (int i = 0; i < 3; ++i) {
-    if (direction[i] < kFlat && direction[i] > -kFlat) {
+    if (std::abs(direction[i]) < kFlat) {
       axes.push_back(lattice::axisFromIndex(i));
     }
+    flattest = std::abs(direction[i]) < std::abs(direction[flattest]) ? i : flattest;
+  }
+  if (axes.empty()) {
+    axes.push_back(lattice::axisFromIndex(flattest));
   }
   return axes;
 }

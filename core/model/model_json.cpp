@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/number_text.h"
+#include "model/seating.h"
 
 namespace liftarm::model {
 
@@ -14,6 +15,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxNameBytes = 1000;
+constexpr int kPoseDecimals = 12;
+constexpr int kMaxDepth = 32;  // arrays and objects inside each other; writing them back recurses
 
 //! Takes values out of the document and keeps the first thing that is wrong.
 class Reader {
@@ -108,6 +111,21 @@ base::Error invalid(std::string message) {
   return {base::Status::kInvalidInput, std::move(message)};
 }
 
+//! The document, or why there is none.
+base::Result<json> parsed(std::string_view text) {
+  bool tooDeep = false;
+  const auto watch = [&](int depth, json::parse_event_t, const json&) {
+    tooDeep = tooDeep || depth > kMaxDepth;
+    return !tooDeep;
+  };
+  json document = json::parse(text.begin(), text.end(), watch, false);
+  if (tooDeep) {
+    return invalid("arrays and objects lie more than " + std::to_string(kMaxDepth) +
+                   " deep inside each other");
+  }
+  return document;
+}
+
 //! The heading of the file: what it claims to be. Nothing when that is right.
 std::optional<base::Error> headingError(const json& document) {
   if (document.is_discarded()) {
@@ -139,11 +157,12 @@ std::string quoted(const std::string& text) {
 std::string partText(const PlacedPart& part) {
   std::string rotation;
   for (const double value : part.pose.rotation.m) {
-    rotation += (rotation.empty() ? "" : ",") + numberText(value);
+    rotation += (rotation.empty() ? "" : ",") + numberText(value, kPoseDecimals);
   }
   const lattice::Vec3 p = part.pose.position;
   return R"({"part":)" + quoted(part.part) + R"(,"color":)" + std::to_string(part.color) +
-         R"(,"position":[)" + numberText(p.x) + "," + numberText(p.y) + "," + numberText(p.z) +
+         R"(,"position":[)" + numberText(p.x, kPoseDecimals) + "," +
+         numberText(p.y, kPoseDecimals) + "," + numberText(p.z, kPoseDecimals) +
          R"(],"rotation":[)" + rotation + R"(],"component":)" + std::to_string(part.component) +
          R"(,"layer":)" + std::to_string(part.layer) + R"(,"piece":)" + std::to_string(part.piece) +
          "}";
@@ -156,7 +175,11 @@ base::Result<Model> readModel(std::string_view text) {
     return invalid("the file has " + std::to_string(text.size()) + " bytes; at most " +
                    std::to_string(kMaxModelBytes) + " are read");
   }
-  const json document = json::parse(text.begin(), text.end(), nullptr, false);
+  const base::Result<json> read = parsed(text);
+  if (!read.ok()) {
+    return read.error();
+  }
+  const json& document = read.value();
   if (const std::optional<base::Error> error = headingError(document); error.has_value()) {
     return *error;
   }
@@ -175,6 +198,7 @@ base::Result<Model> readModel(std::string_view text) {
   if (document.contains("sketch") && !document.at("sketch").is_null()) {
     model.sketchJson = document.at("sketch").dump(-1, ' ', false, json::error_handler_t::replace);
   }
+  seatHeads(model, parts::Catalogue::builtIn());
   return model;
 }
 
@@ -190,6 +214,11 @@ std::string writeModel(const Model& model) {
     text += ",\"sketch\":" + sketch.dump(-1, ' ', false, json::error_handler_t::replace);
   }
   return text + "}\n";
+}
+
+Model asWritten(const Model& model) {
+  base::Result<Model> read = readModel(writeModel(model));
+  return read.ok() ? std::move(read).value() : model;
 }
 
 }  // namespace liftarm::model

@@ -19,12 +19,17 @@ inline constexpr double kMaxPosition = 5000.0;  //!< modules, in magnitude
 //! "position": [x, y, z], "rotation": nine numbers by rows, "component", "layer", "piece"}],
 //! "sketch"}. Needed: format, version, parts and in each part `part`, `position` and `rotation`;
 //! unknown keys are passed over, so that files of later versions still open. Whether the parts are
-//! real and their rotations proper is for analysis/check.h to say. \return The model, or
+//! real and their rotations proper is for analysis/check.h to say. What rounding has moved is put
+//! right (seating.h). \return The model, or
 //! kInvalidInput with one message that names the place and what would be right.
 base::Result<Model> readModel(std::string_view json);
 
-//! \brief Writes a model: one part a line, numbers rounded to 1e-6, the same bytes for the same
-//! model.
+//! \brief Writes a model: one part a line, numbers rounded to 1e-12 (closed chains of hinges must
+//! still close after it), the same bytes for the same model.
 std::string writeModel(const Model& model);
+
+//! \brief The model as those get it who read its file: what is judged before it is written is
+//! judged alike after it.
+Model asWritten(const Model& model);
 
 }  // namespace liftarm::model

@@ -71,6 +71,11 @@ std::vector<PaperPlacement> PaperLayout::placements(const std::vector<int>& runs
       }
     }
   };
+  // Runs of one line meet end to end where their rules differ: no corner.
+  const auto square = [&](int a, int b) {
+    const std::vector<guide::GuideRun>& all = problem_->graph.runs;
+    return std::abs(lattice::dot(all[at(a)].direction, all[at(b)].direction)) < 0.5;
+  };
   for (const int run : runs) {
     const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
     for (std::size_t j = 0; j < guideRun.junctions.size() && corners && guideRun.principal; ++j) {
@@ -78,7 +83,8 @@ std::vector<PaperPlacement> PaperLayout::placements(const std::vector<int>& runs
            problem_->graph.junctions[at(guideRun.junctions[j])].incident) {
         // A pair of which both runs are asked for is looked at once, from its lower run.
         const bool twice = !before[at(other.run)].empty() && other.run < run;
-        if (other.run != run && !twice && problem_->graph.runs[at(other.run)].principal &&
+        if (other.run != run && !twice && square(run, other.run) &&
+            problem_->graph.runs[at(other.run)].principal &&
             axes_[at(other.run)] == axes_[at(run)] && !joinedAlready(run, other.run)) {
           addCorner(run, other.run, guideRun.junctionIndices[j], other.index);
         }

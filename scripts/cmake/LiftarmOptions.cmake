@@ -17,6 +17,18 @@ endif()
 # "Release with debug info" as we want it: full optimisation, line tables only.
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g1 -DNDEBUG")
 
+# Folders that judge files of any origin check every index and every front() in all builds: an index that
+# can be "none" must stop at once (in WebAssembly: trap), not write beside what it meant.
+function(liftarm_checked)
+  foreach(folder IN LISTS ARGN)
+    if(EMSCRIPTEN)
+      target_compile_options(liftarm_${folder} PRIVATE "-D_LIBCPP_ASSERT(x,m)=((x)?(void)0:__builtin_trap())")
+    else()
+      target_compile_definitions(liftarm_${folder} PRIVATE _GLIBCXX_ASSERTIONS)
+    endif()
+  endforeach()
+endfunction()
+
 if(LIFTARM_SANITIZE)
   list(JOIN LIFTARM_SANITIZE "," sanitizers)
   target_compile_options(liftarm_options INTERFACE "-fsanitize=${sanitizers}" -fno-omit-frame-pointer

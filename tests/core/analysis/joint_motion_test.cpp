@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "analysis/kinematic_chain.h"
 #include "analysis/motion.h"
 #include "core/helpers/models.h"
 
@@ -125,6 +126,43 @@ TEST(JointMotion, StopIsMirroredWithTheModel) {
   const Stage mirrored(model);
   const Stage stage(hingeWithPeg());
   EXPECT_NEAR(turned(mirrored).range.to.degrees, -turned(stage).range.from.degrees, 1e-6);
+}
+
+TEST(JointMotion, HeavierPartsElsewhereChangeNothing) {
+  Model model = hingeWithPeg();
+  model.parts.push_back(beamAt("32278", {0, 40, 0}, kX, kZ));
+  const Stage apart(model);
+  const Stage stage(hingeWithPeg());
+  EXPECT_NEAR(turned(apart).range.from.degrees, turned(stage).range.from.degrees, 0.5);
+  EXPECT_NEAR(turned(apart).range.to.degrees, turned(stage).range.to.degrees, 0.5);
+}
+
+TEST(JointMotion, DriverThatHangsOnNothingMovesNothing) {
+  Linkage linkage;
+  linkage.bodies = 4;
+  Link driver;
+  driver.a = 2;
+  driver.b = 3;
+  driver.axis = kZ;
+  KinematicChain chain(linkage, driver, 0);
+  EXPECT_FALSE(chain.moveTo(0.1));
+}
+
+TEST(JointMotion, SidesThatAreApartAreSaidToBe) {
+  Model model = hinge();
+  model.parts.pop_back();
+  const Stage stage(model);
+  EXPECT_NE(turned(stage).range.message.find("are not connected"), std::string::npos);
+}
+
+TEST(JointMotion, AxleThroughTwoRailsTurnsInBoth) {
+  Model model = testing::frameOfAxles();
+  model.sketchJson.pop_back();
+  model.sketchJson += R"(,"joints":[{"at":[0,0,0],"axis":[0,1,0],"between":[[0],[2]]}]})";
+  const Stage stage(model);
+  const JointRange range = turned(stage).range;
+  EXPECT_TRUE(range.turns) << range.message;
+  EXPECT_EQ(range.to.degrees, 180);
 }
 
 TEST(JointMotion, SecondPinMakesItStiff) {

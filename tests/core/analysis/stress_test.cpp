@@ -202,7 +202,8 @@ TEST(Bridge, ShearsItsPinsByHalfASidewaysLoad) {
 TEST(Loads, InTheAirAreRefused) {
   StressOptions options;
   options.loads.push_back({{4, 4, 20}, {0, 0, -5.0}});
-  const Scene scene = makeScene(testing::squareFrame(), parts::Catalogue::builtIn());
+  const model::Model model = testing::squareFrame();
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
   const base::Result<StressState> state = solveStress(scene, options);
   ASSERT_FALSE(state.ok());
   EXPECT_THAT(state.error().message, HasSubstr("loads[0].at"));
@@ -214,6 +215,14 @@ TEST(Loads, ThatLiftTheModelAreRefused) {
   const StressState state = solvedState(testing::squareFrame(), options);
   EXPECT_FALSE(state.stands);
   EXPECT_THAT(state.message, HasSubstr("tips"));
+}
+
+TEST(Model, WithoutPartsIsRefused) {
+  const model::Model model;
+  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
+  const base::Result<StressState> state = solveStress(scene, {});
+  ASSERT_FALSE(state.ok());
+  EXPECT_THAT(state.error().message, HasSubstr("no parts"));
 }
 
 TEST(Model, WithAnUnknownPartIsRefusedByItsName) {

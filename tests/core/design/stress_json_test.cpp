@@ -36,6 +36,11 @@ TEST(StressJson, TellsStressOfEveryPart) {
   EXPECT_LT(answer.at("imbalance").get<double>(), 1e-6);
 }
 
+TEST(StressJson, SaysBesideTheNumbersWhereFrictionAloneHolds) {
+  EXPECT_THAT(analysed("{}").at("message").get<std::string>(), HasSubstr("friction alone holds 1"));
+  EXPECT_EQ(analysed(R"({"friction":"locked"})").at("message"), "");
+}
+
 TEST(StressJson, TakesNoOptionsAsTheDefaults) {
   EXPECT_EQ(analysed(""), analysed(R"({"friction":"held","loads":[]})"));
 }

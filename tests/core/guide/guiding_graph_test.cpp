@@ -89,6 +89,11 @@ TEST(GuidingGraph, PrincipalRunMayHaveTwoHoleAxes) {
   EXPECT_TRUE(graph.runs.front().principal);
 }
 
+TEST(GuidingGraph, RunThatSnappingLeftOffItsPlaneHasTheAxisItLeansLeastTo) {
+  const GuidingGraph graph = graphOf(testing::sketchFrom({{{0, 0, 0}, {0.004, 0.003, 9}}}));
+  EXPECT_EQ(graph.runs.front().axes, std::vector<Axis>{Axis::kY});
+}
+
 TEST(GuidingGraph, PythagoreanRunHasOnlyTheAxisAcrossItsPlane) {
   const GuidingGraph graph = graphOf(testing::triangleSketch(2));
   int slanted = 0;

@@ -1,5 +1,6 @@
 #include "model/connections.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,6 +120,18 @@ TEST(Connections, BeamsBetweenAStopAndABushAreHeld) {
   const auto found = connectionsOf(stackOnAxle(4, 0));
   EXPECT_EQ(countFit(found, Fit::kTurn), 4);
   EXPECT_EQ(countFit(found, Fit::kRigid), 1);
+}
+
+TEST(Connections, ABeamTurnedByTwoDegreesAboutOnePinIsOffTheNext) {
+  std::vector<PlacedPart> parts{beamAt("32316", {2, 0, 0}, kX, kZ),
+                                beamAt("32316", {2, 0, 1}, kX, kZ),
+                                pinAt("2780", {0, 0, 0.5}, kZ),
+                                pinAt("2780", {1, 0, 0.5}, kZ)};
+  EXPECT_EQ(countFit(connectionsOf(parts), Fit::kMisplaced), 0);
+  constexpr double kTwoDegrees = 0.0349066;
+  testing::turn(parts[1], kZ, 2.0);
+  parts[1].pose.position = {2 * std::cos(kTwoDegrees), 2 * std::sin(kTwoDegrees), 1};
+  EXPECT_EQ(countFit(connectionsOf(parts), Fit::kMisplaced), 1);
 }
 
 TEST(Connections, BeamsWithAGapBeforeTheBushSlide) {

@@ -1,5 +1,6 @@
 #include "model/model_json.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,6 +88,24 @@ INSTANTIATE_TEST_SUITE_P(
                              R"("rotation":[1,0,0,0,1,0,0,0,1],"layer":0.5}]})",
                 "parts[0].layer: expected a whole number"},
         BadFile{R"({"format":"liftarm-model","version":1,"name":3,"parts":[]})", "name"}));
+
+TEST(ModelJson, RefusesWhatLiesTooDeep) {
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  const base::Result<Model> read =
+      readModel(R"({"format":"liftarm-model","version":1,"parts":[],"sketch":)" + deep + "}");
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("deep"), std::string::npos) << read.error().message;
+}
+
+TEST(ModelJson, KeepsWhatClosedChainsNeed) {
+  Model model;
+  model.parts.push_back(testing::pinAt("3673", {std::sqrt(27.0), 1.0 / 3, 0}, {0, 0, 1}));
+  testing::turn(model.parts[0], {0, 0, 1}, 77.7);
+  const lattice::Pose& written = model.parts[0].pose;
+  const lattice::Pose read = readModel(writeModel(model)).value().parts[0].pose;
+  EXPECT_NEAR(read.position.x, written.position.x, 1e-12);
+  EXPECT_NEAR(read.rotation.m[0], written.rotation.m[0], 1e-12);
+}
 
 TEST(ModelJson, RefusesAFileBeyondTheLimitBeforeReadingIt) {
   const std::string huge(kMaxModelBytes + 1, ' ');

@@ -80,6 +80,19 @@ TEST(PaperLayout, RevertBringsBackCoversAndSums) {
   }
 }
 
+TEST(PaperLayout, BendsNoBeamRoundRunsOfOneLine) {
+  sketch::Sketch sketch = testing::lineSketch(10);
+  sketch.lines.push_back(sketch.lines.front());
+  sketch.lines.back().to = {4, 0, 0};
+  sketch.lines.back().length = 4;
+  sketch.lines.back().holeAxis = Axis::kY;
+  const PaperBench bench(sketch);
+  ASSERT_EQ(bench.problem.graph.runs.size(), 2U);
+  for (const PaperPlacement& placement : bench.layout.placements({0, 1}, true)) {
+    EXPECT_LT(placement.mate, 0);
+  }
+}
+
 TEST(PaperLayout, SumsDoNotDependOnTheWayThere) {
   PaperBench bench(testing::houseSketch(), 3);
   bench.coverAll();

@@ -41,6 +41,10 @@ const CHECKS: Sentences = [
     'Züge: {n}, einzeln gebaute Gruppen: {m}, festsitzende Teile: {k}',
   ],
   ['{n} of {m} joints turn', '{n} von {m} Gelenken drehen sich'],
+  [
+    '{n} of {m} joints turn, by at least {a} degrees',
+    '{n} von {m} Gelenken drehen sich, um mindestens {a} Grad',
+  ],
   ['no sketch in the file: nothing to cover', 'keine Skizze in der Datei: nichts zu bedecken'],
   ['not judged: more than {n} parts', 'nicht beurteilt: mehr als {n} Teile'],
   ['too many parts to be taken apart here', 'zu viele Teile, um sie hier zu zerlegen'],
@@ -151,6 +155,10 @@ const MOTION: Sentences = [
     '{a} und {b} auf seinen Seiten sind zu einem starren Körper verbunden',
   ],
   [
+    '{a} and {b} on its sides are not connected',
+    '{a} und {b} auf seinen Seiten hängen nicht zusammen',
+  ],
+  [
     '{a} and {b} on its sides move against each other, but not about its axis',
     '{a} und {b} auf seinen Seiten bewegen sich gegeneinander, aber nicht um seine Achse',
   ],
@@ -191,10 +199,20 @@ const STRESS: Sentences = [
     'bitte verstreben, oder alle Sitze fest rechnen, auch Pins ohne Reibung',
   ],
   ['something is not connected', 'etwas ist nicht verbunden'],
+  ['{a}; {b}', '{a}; {b}'],
   [
     'It does not stand as drawn: it leans over by {n} degrees and rests so',
     'Es steht nicht wie gezeichnet: Es neigt sich um {n} Grad und ruht so',
   ],
+  [
+    'it moves by more than a tenth of its length, too far for these numbers to hold',
+    'es bewegt sich um mehr als ein Zehntel seiner Länge, zu weit für diese Zahlen',
+  ],
+  [
+    'friction alone holds {n} of its freedoms, and how stiff that is, is an assumption',
+    'Reibung allein hält {n} seiner Freiheiten, und wie steif sie ist, ist eine Annahme',
+  ],
+  ['the model has no parts: nothing carries', 'das Modell hat keine Teile: Nichts trägt'],
   [
     'expected three numbers of at most {n} in magnitude',
     'erwartet werden drei Zahlen vom Betrag höchstens {n}',
