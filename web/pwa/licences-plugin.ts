@@ -6,7 +6,7 @@ const FILE = 'licences.txt';
 const RULE = `\n${'='.repeat(80)}\n\n`;
 
 type Bundle = Readonly<
-  Record<string, { readonly moduleIds?: readonly string[] }>
+  Record<string, { readonly type: string; readonly moduleIds?: readonly string[] }>
 >;
 
 export interface LicenceFolders {
@@ -18,7 +18,10 @@ export interface LicenceFolders {
  * Writes licences.txt: the licence of everything that the built page holds. A package without a text ends the build.
  * Workers are bundled apart and before the page: their plugin takes note of what is in them.
  */
-export function licences(folders: LicenceFolders): { readonly page: Plugin; readonly worker: Plugin } {
+export function licences(folders: LicenceFolders): {
+  readonly page: Plugin;
+  readonly worker: Plugin;
+} {
   const shipped = new Set<string>();
   const note = (bundle: Bundle) => {
     for (const file of Object.values(bundle)) {
