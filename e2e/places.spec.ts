@@ -14,6 +14,19 @@ async function openNothing(page: Page, place: string): Promise<void> {
   await page.goto(`./?room=${place}${await linkOf(EMPTY as never)}`);
 }
 
+/** Names of the places whose link is not wholly in sight, or too small to be hit, or covered. */
+async function hiddenPlaces(page: Page): Promise<string[]> {
+  return page.locator('.spine a').evaluateAll((links) =>
+    links.flatMap((link) => {
+      const { left, right, top, bottom, width, height } = link.getBoundingClientRect();
+      const inside = left >= 0 && top >= 0 && right <= innerWidth && bottom <= innerHeight;
+      const seen = document.elementFromPoint((left + right) / 2, (top + bottom) / 2);
+      const large = width >= 44 && height >= 36;
+      return inside && large && link.contains(seen) ? [] : [link.textContent ?? ''];
+    }),
+  );
+}
+
 for (const [device, size] of [
   ['a desk', { width: 1280, height: 800 }],
   ['a phone', { width: 390, height: 844 }],
@@ -27,13 +40,7 @@ for (const [device, size] of [
       await openPage(page);
       for (const name of NAMES) {
         await goTo(page, name);
-        for (const other of NAMES) {
-          const link = page.getByRole('link', { name: other, exact: true });
-          await expect(link).toBeInViewport({ ratio: 1 });
-          const box = await link.boundingBox();
-          expect(box?.height, other).toBeGreaterThanOrEqual(36);
-          expect(box?.width, other).toBeGreaterThanOrEqual(44);
-        }
+        expect(await hiddenPlaces(page), name).toEqual([]);
       }
     });
   });

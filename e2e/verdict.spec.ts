@@ -53,7 +53,7 @@ test('two pieces are never green without a word, and the lesser one is shown', a
 
 test('the panel keeps its places while a search runs', async ({ page }) => {
   await openEmpty(page);
-  await openText(page, scaffold(3));
+  await openText(page, scaffold(2));
   const top = async (name: RegExp) =>
     (await page.getByRole('button', { name }).boundingBox())?.y ?? 0;
   const before = await top(/^Generate/);

@@ -48,8 +48,10 @@ describe('the verdict', () => {
     expect(verdictOf({ ...input, faults: 1 }).first?.kind).toBe('fault');
   });
 
-  it('shows no model as buildable whose drawing cannot be built', () => {
-    expect(lamp({ ...GOOD, faults: 1 }, 'buildable')).toBe('bad');
+  it.each([{ faults: 1 }, { buildable: false }])('has nothing green with %o', (change) => {
+    const { lamps } = verdictOf({ ...GOOD, ...change, wellBuilt: [{ ...BAD_WORK, ok: true }] });
+    expect(lamps[0]?.state).toBe('bad');
+    expect(lamps.filter(({ state }) => state === 'ok')).toEqual([]);
   });
 
   it('has no lamp for what is not judged, and an unlit one for what does not apply', () => {

@@ -55,18 +55,31 @@ export function verdictOf(input: VerdictInput): Verdict {
 }
 
 function lampsOf(input: VerdictInput): Lamp[] {
-  const { faults, buildable, pieces, missing, stands, joints, wellBuilt } = input;
-  const known = wellBuilt?.filter(({ applies }) => applies !== false);
-  const turns = input.items.find(({ id }) => id === JOINTS)?.ok;
+  const { faults, buildable, pieces, missing } = input;
   const made: LampState = pieces > 1 || missing > 0 ? 'warn' : 'ok';
-  return [
-    { id: 'buildable', state: buildable && faults === 0 ? made : 'bad' },
-    ...(known
-      ? [{ id: 'wellBuilt', state: known.every(({ ok }) => ok) ? 'ok' : 'warn' } as const]
-      : []),
-    { id: 'stands', state: stands === undefined ? 'none' : stands ? 'ok' : 'warn' },
-    { id: 'moves', state: joints === 0 ? 'none' : turns === false ? 'bad' : 'ok' },
-  ];
+  const rest = [...wellBuiltLamp(input), standsLamp(input), movesLamp(input)];
+  if (buildable && faults === 0) {
+    return [{ id: 'buildable', state: made }, ...rest];
+  }
+  // Whatever else may be said of it, nothing is green under a red verdict.
+  const unlit = rest.map(
+    (lamp): Lamp => (lamp.state === 'ok' ? { id: lamp.id, state: 'none' } : lamp),
+  );
+  return [{ id: 'buildable', state: 'bad' }, ...unlit];
+}
+
+function wellBuiltLamp({ wellBuilt }: VerdictInput): Lamp[] {
+  const asked = wellBuilt?.filter(({ applies }) => applies !== false);
+  return asked ? [{ id: 'wellBuilt', state: asked.every(({ ok }) => ok) ? 'ok' : 'warn' }] : [];
+}
+
+function standsLamp({ stands }: VerdictInput): Lamp {
+  return { id: 'stands', state: stands === undefined ? 'none' : stands ? 'ok' : 'warn' };
+}
+
+function movesLamp({ joints, items }: VerdictInput): Lamp {
+  const turns = items.find(({ id }) => id === JOINTS)?.ok;
+  return { id: 'moves', state: joints === 0 ? 'none' : turns === false ? 'bad' : 'ok' };
 }
 
 /** In the order of what must be mended before the rest can be: drawing, parts, then how it is built. */
