@@ -57,7 +57,7 @@ function useKeptHeight(keep: boolean): RefObject<HTMLElement | null> {
       return;
     }
     if (keep) {
-      element.style.minHeight = `${known.current}px`;
+      element.style.minHeight = known.current > 0 ? `${known.current}px` : '';
     } else {
       element.style.minHeight = '';
       known.current = element.offsetHeight;

@@ -1,4 +1,5 @@
 import { shortages } from '../model/brick-set.ts';
+import type { WellBuiltItem } from '../model/report.ts';
 import { type FirstWrong, type Lamp, type LampState, verdictOf } from '../model/verdict.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { faultSentence } from './fault-words.ts';
@@ -122,8 +123,14 @@ function wordsFor(first: FirstWrong): readonly [title: string, words: string] {
     case 'falls':
       return [verdict.falls, verdict.fallsText];
     case 'wellBuilt':
-      return [verdict.wellBuilt, sentence(inWords(first.item.detail || first.item.title))];
+      return [verdict.wellBuilt, shortfall(first.item)];
   }
+}
+
+/** What a builder would expect, and by how much the model falls short of it. */
+function shortfall({ title, detail }: WellBuiltItem): string {
+  const what = sentence(itemWords(title));
+  return detail ? `${what} ${sentence(inWords(detail))}` : what;
 }
 
 function itemWords(title: string): string {
