@@ -71,9 +71,9 @@ class Mobility {
   PlaceIndex holes_;
   PlaceIndex lines_;
   std::vector<std::pair<lattice::Axis, lattice::Vec3>> linePlaces_;
-  std::vector<Seat> lineBodies_;                 // for joints
-  std::vector<std::vector<int>> bodiesOf_;       // by run, by beam
-  std::vector<std::array<int, 4>> arms_;         // site or -1, lower run, upper run, body
+  std::vector<Seat> lineBodies_;            // for joints
+  std::vector<std::vector<int>> bodiesOf_;  // by run, by beam
+  std::vector<std::array<int, 4>> arms_;    // site or -1, lower run, upper run, body
 };
 
 }  // namespace liftarm::objective
