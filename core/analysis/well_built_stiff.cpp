@@ -26,7 +26,7 @@ bool isFrame(const ScenePart& part) {
 class Hangings {
  public:
   explicit Hangings(const Scene& scene)
-      : scene_(scene), linkage_(linkageOf(scene, Friction::kFree)), groups_(scene.parts.size()) {
+      : linkage_(linkageOf(scene, Friction::kFree)), groups_(scene.parts.size()) {
     for (const Link& link : linkage_.links) {
       if (!link.turns && !link.shifts) {
         groups_.join(link.a, link.b);
@@ -91,7 +91,6 @@ class Hangings {
     }
   }
 
-  const Scene& scene_;
   Linkage linkage_;
   UnionFind groups_;
   std::vector<bool> frame_;

@@ -19,7 +19,8 @@ namespace {
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
 constexpr double kManyBeams = 1.1;        // of the fewest: then a layout without mirrors is tried
 constexpr double kWorthOfSymmetry = 0.9;  // of the objective
-constexpr double kHalfBeam = 0.5;         // modules from a beam's middle line to its side
+constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
+constexpr double kHalfBeam = 0.5;                // modules from a beam's middle line to its side
 constexpr double kAlong = 1e-6;
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
@@ -52,6 +53,15 @@ bool fillsGaps(const Settings& settings) {
 
 bool isWhole(const search::LayoutSnapshot& layout) {
   return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
+}
+
+//! What is tried, the first last: all wishes, then to stand alone, then none.
+std::vector<Wishes> plansFor(Wishes all) {
+  if (all.standing && all.symmetric) {
+    return {Wishes{}, Wishes{true, false}, all};
+  }
+  return all.standing || all.symmetric ? std::vector<Wishes>{Wishes{}, all}
+                                       : std::vector<Wishes>{Wishes{}};
 }
 
 }  // namespace
@@ -95,14 +105,7 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
 
 Attempts::Attempts(const sketch::Sketch& sketch, const Settings& settings)
     : sketch_(&sketch), settings_(&settings), table_(makeTable(settings)) {
-  const Wishes all{settings.standing, settings.symmetric && settings.annealing.earlier.empty()};
-  plans_.push_back({});
-  if (all.standing && all.symmetric) {
-    plans_.push_back({true, false});
-  }
-  if (all.standing || all.symmetric) {
-    plans_.push_back(all);
-  }
+  plans_ = plansFor({settings.standing, settings.symmetric && settings.annealing.earlier.empty()});
   const Wishes first = plans_.back();
   plans_.pop_back();
   begin(first, plans_.empty());
@@ -134,6 +137,7 @@ void Attempts::begin(Wishes wishes, bool last) {
     options.looseRuns = [mobility] { return mobility->looseRuns(); };
   }
   options.buildable = makeBuildable(attempt.problem, table_, *sketch_);
+  options.stiffening.frees = options.stiffening.frees && sketch_->symmetries.empty();
   options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
   attempt.search =
       std::make_unique<search::Annealer>(attempt.problem, attempt.solver, std::move(options));
@@ -145,7 +149,9 @@ bool Attempts::isGoodEnough() const {
   if (!isWhole(best)) {
     return false;
   }
-  if (!current_->wishes.symmetric || current_->problem.graph.symmetries.empty()) {
+  const guide::GuidingGraph& graph = current_->problem.graph;
+  if (!current_->wishes.symmetric || !sketch_->symmetries.empty() || graph.symmetries.empty() ||
+      graph.runs.size() > kMostRunsToCompare) {
     return true;
   }
   const int bound =
@@ -168,7 +174,9 @@ bool Attempts::advance(std::uint32_t iterations) {
     return done_;
   }
   const bool compared = symmetric_ != nullptr;
-  if (compared && !beats(*current_, *symmetric_)) {
+  if (compared && beats(*current_, *symmetric_)) {
+    improvementsBefore_ += symmetric_->search->improvements();
+  } else if (compared) {
     iterationsBefore_ += current_->search->iterations() - symmetric_->search->iterations();
     current_ = std::move(symmetric_);
   }
@@ -178,8 +186,11 @@ bool Attempts::advance(std::uint32_t iterations) {
     return true;
   }
   iterationsBefore_ += current_->search->iterations();
+  left_ *= 0.5;
   if (isWhole(current_->search->best())) {
     symmetric_ = std::move(current_);
+  } else {
+    improvementsBefore_ += current_->search->improvements();
   }
   const Wishes next = plans_.back();
   plans_.pop_back();
@@ -189,6 +200,14 @@ bool Attempts::advance(std::uint32_t iterations) {
 
 bool Attempts::done() const {
   return done_;
+}
+
+double Attempts::fraction() const {
+  return done_ ? 1.0 : 1.0 - left_ * (1.0 - 0.5 * current_->search->fraction());
+}
+
+std::uint32_t Attempts::improvements() const {
+  return improvementsBefore_ + shown().search->improvements();
 }
 
 std::uint64_t Attempts::iterations() const {

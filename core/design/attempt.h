@@ -44,6 +44,12 @@ class Attempts {
   //! \brief Of all searches.
   [[nodiscard]] std::uint64_t iterations() const;
 
+  //! \brief From 0 to 1, never less than before: each search has half of what is left.
+  [[nodiscard]] double fraction() const;
+
+  //! \brief How often the best layout changed, over all searches.
+  [[nodiscard]] std::uint32_t improvements() const;
+
   //! \brief The search that is going on, or that found the best layout.
   [[nodiscard]] const search::LayoutSearch& search() const;
 
@@ -66,6 +72,8 @@ class Attempts {
   std::unique_ptr<Attempt> current_;
   std::unique_ptr<Attempt> symmetric_;  // whole, waiting for what it is compared with
   std::uint64_t iterationsBefore_ = 0;
+  std::uint32_t improvementsBefore_ = 0;
+  double left_ = 1.0;  // of the fraction when the present search began
   bool done_ = false;
 };
 

@@ -41,14 +41,14 @@ class Session final : public DesignSession {
     return json{{"done", attempts_.done()},
                 {"phase", attempts_.search().phase()},
                 {"iterations", attempts_.iterations()},
-                {"fraction", attempts_.search().fraction()},
+                {"fraction", attempts_.fraction()},
                 {"objective", attempts_.search().best().energy},
                 {"temperature", attempts_.search().temperature()},
                 {"beams", t.beams},
                 {"gaps", t.gaps},
                 {"collisions", t.collisions},
                 {"failedConnections", t.failedConnections},
-                {"improvements", attempts_.search().improvements()},
+                {"improvements", attempts_.improvements()},
                 {"terms", termsJson()}}
         .dump();
   }
@@ -87,8 +87,8 @@ class Session final : public DesignSession {
   //! What each weighted term of the objective adds for the best layout: measured when there is a
   //! new one, since a page asks often.
   [[nodiscard]] const json& termsJson() const {
-    if (!terms_ || termsAt_ != attempts_.search().improvements()) {
-      termsAt_ = attempts_.search().improvements();
+    if (!terms_ || termsAt_ != attempts_.improvements()) {
+      termsAt_ = attempts_.improvements();
       terms_ = measureTerms();
     }
     return *terms_;

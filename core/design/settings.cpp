@@ -206,7 +206,14 @@ void applyPreset(Settings* settings) {
   }
   settings->connectors.emplace_back("15100");
   settings->connection = {4.0, 1.2};
-  settings->annealing.stiffening = {14, 14, 2.5e6, 0.5, 2.0, false, true};
+  settings->annealing.stiffening = {.rounds = 14,
+                                    .roundsPerStart = 14,
+                                    .work = 2.5e6,
+                                    .share = 0.5,
+                                    .weight = 2.0,
+                                    .otherStarts = false,
+                                    .polish = true,
+                                    .frees = true};
   settings->corners = true;
   settings->standing = true;
   settings->symmetric = true;

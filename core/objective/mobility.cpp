@@ -121,8 +121,20 @@ void Mobility::addHinge(Axis axis, Vec3 place, int a, int b) {
     linePlaces_.emplace_back(axis, place);
   }
   graph_.addHinge(line, a, b);
+  for (const int half : {twinOf(a), twinOf(b)}) {
+    if (half >= 0) {
+      graph_.addHinge(line, a, half);
+    }
+  }
   lineBodies_.push_back({line, a, along});
   lineBodies_.push_back({line, b, along});
+}
+
+//! The other half of a beam that is two thin ones, or -1: pins hold both alike.
+int Mobility::twinOf(int body) const {
+  const auto twin = std::find_if(
+      twins_.begin(), twins_.end(), [&](const auto& pair) { return pair.first == body; });
+  return twin == twins_.end() ? -1 : twin->second;
 }
 
 //! The arms of a bent beam and the bars of a frame are one body.
@@ -150,6 +162,9 @@ void Mobility::addBeams(const std::vector<layout::Cover>& covers) {
     std::vector<int>& bodies = bodiesOf_[r];
     for (const layout::Beam& beam : cover.beams) {
       bodies.push_back(graph_.addBody(true));
+      if (layout::partsOfBeam(beam.holes) > 1 && !beam.isArm()) {
+        twins_.emplace_back(bodies.back(), graph_.addBody(true));
+      }
       if (beam.isArm()) {
         addArm(static_cast<int>(r), beam, bodies.back());
       }
@@ -225,6 +240,7 @@ int Mobility::count(const std::vector<layout::Cover>& covers,
   linePlaces_.clear();
   lineBodies_.clear();
   arms_.clear();
+  twins_.clear();
   addBeams(covers);
   for (std::size_t r = 0; r < covers.size(); ++r) {
     if (covers[r].axle.used()) {

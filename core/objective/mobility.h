@@ -59,6 +59,7 @@ class Mobility {
   void addAxle(int run, const layout::Cover& cover);
   void addMechanism(const layout::PlacedMechanism& placed, lattice::Vec3 origin);
   void addHinge(lattice::Axis axis, lattice::Vec3 at, int a, int b);
+  [[nodiscard]] int twinOf(int body) const;
   void lockJoints();
   [[nodiscard]] const Reduced& reduced(int oriented);
   [[nodiscard]] Reduced reduce(const mechanisms::Mechanism& shape) const;
@@ -74,6 +75,7 @@ class Mobility {
   std::vector<Seat> lineBodies_;            // for joints
   std::vector<std::vector<int>> bodiesOf_;  // by run, by beam
   std::vector<std::array<int, 4>> arms_;    // site or -1, lower run, upper run, body
+  std::vector<std::pair<int, int>> twins_;  // halves of one beam
 };
 
 }  // namespace liftarm::objective

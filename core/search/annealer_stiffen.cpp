@@ -36,7 +36,7 @@ void Annealer::goOnStiffening() {
     return;
   }
   if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < options_.stiffening.roundsPerStart) {
-    if (stiffRounds_ == kSymmetricRounds && !options_.stiffening.otherStarts) {
+    if (stiffRounds_ == kSymmetricRounds && options_.stiffening.frees) {
       orbits_.releaseAll();  // rather stiff than symmetric in every beam
     }
     beginStiffening();

@@ -121,5 +121,22 @@ TEST(Attempts, GivesAWishUpWhereNoLayoutGrantsIt) {
   EXPECT_EQ(attempts.search().best().tallies.violations(), 0);
 }
 
+TEST(Attempts, NeverGoBackInWhatTheyTellOfTheirProgress) {
+  const sketch::Sketch sketch = testing::cubeSketch(7);
+  const Settings settings = settingsFrom("");
+  Attempts attempts(sketch, settings);
+  double fraction = 0.0;
+  std::uint32_t improvements = 0;
+  bool done = false;
+  while (!done) {
+    done = attempts.advance(100);
+    EXPECT_GE(attempts.fraction(), fraction);
+    EXPECT_GE(attempts.improvements(), improvements);
+    fraction = attempts.fraction();
+    improvements = attempts.improvements();
+  }
+  EXPECT_EQ(fraction, 1.0);
+}
+
 }  // namespace
 }  // namespace liftarm::design

@@ -38,7 +38,7 @@ TEST(OwnedParts, SpacersAreNotExceeded) {
   const Solved usual = solve(grid, json::object());
   const int spacers = usual.count("18654");
   EXPECT_EQ(usual.report["filledGaps"], spacers);
-  ASSERT_GT(spacers, 1);
+  ASSERT_GT(spacers, 0);
   const Solved none = solve(grid, {{"owned.18654", 0}});
   EXPECT_EQ(none.count("18654"), 0);
   EXPECT_TRUE(none.report["buildable"].get<bool>()) << none.report["problems"];
