@@ -170,9 +170,17 @@ bool Attempts::beats(const Attempt& one, const Attempt& other) const {
 }
 
 bool Attempts::advance(std::uint32_t iterations) {
-  if (done_ || !current_->search->advance(iterations)) {
-    return done_;
+  if (!done_ && current_->search->advance(iterations)) {
+    goOn();
   }
+  // A search that begins a further round says less than before.
+  fraction_ =
+      done_ ? 1.0 : std::max(fraction_, 1.0 - left_ * (1.0 - 0.5 * current_->search->fraction()));
+  return done_;
+}
+
+//! After a search has ended: whether its layout is the answer, or what comes next.
+void Attempts::goOn() {
   const bool compared = symmetric_ != nullptr;
   if (compared && beats(*current_, *symmetric_)) {
     improvementsBefore_ += symmetric_->search->improvements();
@@ -183,7 +191,7 @@ bool Attempts::advance(std::uint32_t iterations) {
   done_ = compared || plans_.empty() || isGoodEnough();
   if (done_) {
     symmetric_.reset();
-    return true;
+    return;
   }
   iterationsBefore_ += current_->search->iterations();
   left_ *= 0.5;
@@ -195,7 +203,6 @@ bool Attempts::advance(std::uint32_t iterations) {
   const Wishes next = plans_.back();
   plans_.pop_back();
   begin(next, plans_.empty());
-  return false;
 }
 
 bool Attempts::done() const {
@@ -203,7 +210,7 @@ bool Attempts::done() const {
 }
 
 double Attempts::fraction() const {
-  return done_ ? 1.0 : 1.0 - left_ * (1.0 - 0.5 * current_->search->fraction());
+  return fraction_;
 }
 
 std::uint32_t Attempts::improvements() const {

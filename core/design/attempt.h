@@ -60,6 +60,7 @@ class Attempts {
  private:
   struct Attempt;
 
+  void goOn();
   void begin(Wishes wishes, bool last);
   [[nodiscard]] const Attempt& shown() const;
   [[nodiscard]] bool isGoodEnough() const;
@@ -74,6 +75,7 @@ class Attempts {
   std::uint64_t iterationsBefore_ = 0;
   std::uint32_t improvementsBefore_ = 0;
   double left_ = 1.0;  // of the fraction when the present search began
+  double fraction_ = 0.0;
   bool done_ = false;
 };
 
