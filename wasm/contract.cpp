@@ -34,7 +34,8 @@ std::string contractJson() {
   }
   nlohmann::ordered_json contract;
   contract["statuses"] = statuses;
-  contract["settings"] = nlohmann::ordered_json::parse(design::settingsJson(design::Settings{}));
+  contract["settings"] =
+      nlohmann::ordered_json::parse(design::settingsJson(design::readSettings("").value()));
   return contract.dump();
 }
 

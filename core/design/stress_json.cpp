@@ -86,7 +86,7 @@ std::string caveats(const analysis::Scene& scene,
                     const analysis::StressReport& report) {
   std::string text;
   const auto add = [&](const std::string& sentence) {
-    text += (text.empty() ? "" : "; ") + sentence;
+    text += (text.empty() ? "" : ". Besides: ") + sentence;
   };
   constexpr double kLeans = 0.01;  // degrees
   if (report.tilt > kLeans) {

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { test } from 'vitest';
 import { fuzzCase, rigidMotion } from '../../scripts/lib/fuzz-cases.mjs';
 import { movedModel } from '../../scripts/lib/fuzz-motion.mjs';
 

@@ -15,7 +15,10 @@ function exampleSketch(name: string): SketchDocument {
 }
 
 function solved(module: SolverModule, sketch: SketchDocument) {
-  const { modelJson, report } = solveWithModule(module, writeSketch(sketch), { seed: 1 });
+  const { modelJson, report } = solveWithModule(module, writeSketch(sketch), {
+    seed: 1,
+    preset: 'simple',
+  });
   const { status, text } = module.analyseMotionJson(modelJson);
   expect(status).toBe('ok');
   return { report, motion: readMotionAnswer(text) };

@@ -27,12 +27,12 @@ const placed = ({ parts }: Model) =>
 /** Of the parts of an example's model: how many there are, and how many stay where a line comes to it. */
 function afterOneLineMore(name: string) {
   const { symmetries: _confirmed, ...sketch } = JSON.parse(exampleText(name)) as SketchDocument;
-  const first = solve(sketch, { seed: 1 });
+  const first = solve(sketch, { seed: 1, preset: 'simple' });
   const [x, y, z] = sketch.lines[0]?.from ?? [0, 0, 0];
   const line = { from: [x, y, z], to: [x, y, z - 4] } as const;
   const more = { ...sketch, lines: [...sketch.lines, line] };
-  const grown = solve(more, { seed: 1, earlier: first.layout });
-  const afresh = solve(more, { seed: 1 });
+  const grown = solve(more, { seed: 1, preset: 'simple', earlier: first.layout });
+  const afresh = solve(more, { seed: 1, preset: 'simple' });
   const before = placed(first.model);
   const kept = (model: Model) => [...placed(model)].filter((part) => before.has(part)).length;
   return {

@@ -9,7 +9,10 @@ describe('the stress of a solved drawing', () => {
 
   beforeAll(async () => {
     module = await loadModule();
-    modelJson = solveWithModule(module, exampleText('square-frame'), { seed: 1 }).modelJson;
+    modelJson = solveWithModule(module, exampleText('square-frame'), {
+      seed: 1,
+      preset: 'simple',
+    }).modelJson;
   });
 
   const answerTo = (options: object): StressAnswer => {

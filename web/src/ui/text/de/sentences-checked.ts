@@ -199,7 +199,7 @@ const STRESS: Sentences = [
     'bitte verstreben, oder alle Sitze fest rechnen, auch Pins ohne Reibung',
   ],
   ['something is not connected', 'etwas ist nicht verbunden'],
-  ['{a}; {b}', '{a}; {b}'],
+  ['{a}. Besides: {b}', '{a}. Außerdem: {b}'],
   [
     'It does not stand as drawn: it leans over by {n} degrees and rests so',
     'Es steht nicht wie gezeichnet: Es neigt sich um {n} Grad und ruht so',
