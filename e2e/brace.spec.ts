@@ -18,7 +18,7 @@ const SQUARE = {
 test('the line that is offered for a loose frame is added by a click and makes it rigid', async ({
   page,
 }) => {
-  await openEmpty(page);
+  await openEmpty(page, { preset: 'simple' });
   await openText(page, JSON.stringify(SQUARE));
   await generate(page);
   await goTo(page, 'Check');

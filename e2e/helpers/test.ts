@@ -49,14 +49,14 @@ export async function openPage(page: Page, address = '/'): Promise<void> {
 }
 
 /** Opens the page with nothing drawn and nothing solved by itself, seen from straight above. */
-export async function openEmpty(page: Page): Promise<void> {
-  await page.addInitScript(() => {
+export async function openEmpty(page: Page, preferences: object = {}): Promise<void> {
+  await page.addInitScript((wanted) => {
     const key = 'liftarm/preferences';
     if (localStorage.getItem(key) === null) {
-      const quiet = { autoSolve: false, projection: 'orthographic', guide: false };
+      const quiet = { autoSolve: false, projection: 'orthographic', guide: false, ...wanted };
       localStorage.setItem(key, JSON.stringify(quiet));
     }
-  });
+  }, preferences);
   await openPage(page);
   await page.getByRole('button', { name: 'New sketch' }).click();
   await expect(page.getByText('Draw some lines first.')).toBeVisible();

@@ -29,6 +29,16 @@ function(liftarm_checked)
   endforeach()
 endfunction()
 
+# Folders that run once a model and not once a move: in WebAssembly they are built small, since the page
+# waits for all of the module at its first visit.
+function(liftarm_small)
+  if(EMSCRIPTEN)
+    foreach(folder IN LISTS ARGN)
+      target_compile_options(liftarm_${folder} PRIVATE -Os)
+    endforeach()
+  endif()
+endfunction()
+
 if(LIFTARM_SANITIZE)
   list(JOIN LIFTARM_SANITIZE "," sanitizers)
   target_compile_options(liftarm_options INTERFACE "-fsanitize=${sanitizers}" -fno-omit-frame-pointer
