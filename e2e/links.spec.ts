@@ -24,6 +24,7 @@ test('a link that is pasted into the address of the open page opens', async ({ p
 });
 
 test(`${COUNT} mutated links do the open page no harm`, async ({ page }) => {
+  test.setTimeout(400_000); // as long as it takes: the count is what is tested
   await openEmpty(page);
   await openText(page, JSON.stringify({ ...publicSketch('gallery/claw'), name: 'Kept' }));
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Kept');
