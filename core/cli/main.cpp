@@ -22,7 +22,9 @@ constexpr const char* kAbout =
 
 //! Options of a verb that say what the search may do.
 void addSettings(CLI::App* verb, liftarm::cli::SolveOptions& options) {
-  verb->add_option("--preset", options.preset, "balanced (usual), faithful, simple, faithful-rigid or simple-rigid")
+  verb->add_option("--preset",
+                   options.preset,
+                   "balanced (usual), faithful, simple, faithful-rigid or simple-rigid")
       ->type_name("NAME");
   verb->add_option("--method",
                    options.method,
