@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "design/covers_in_use.h"
 #include "design/looseness.h"
 #include "layout/stack.h"
 #include "objective/mobility.h"
@@ -32,10 +33,6 @@ mechanisms::MechanismTable makeTable(const Settings& settings) {
   options.maxParts = settings.mechanismParts;
   return mechanisms::MechanismTable(
       mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
-}
-
-guide::Bridging bridgingOf(const Settings& settings) {
-  return settings.corners ? guide::Bridging::kAtEnds : guide::Bridging::kWhereNeeded;
 }
 
 //! Across X or Y: what a builder sees as left and right, front and back. Diagonal mirrors swap hole
@@ -154,8 +151,7 @@ bool Attempts::isGoodEnough() const {
       graph.runs.size() > kMostRunsToCompare) {
     return true;
   }
-  const int bound =
-      search::coverLowerBound(search::makeCoverTable(current_->problem, settings_->annealing));
+  const int bound = search::coverLowerBound(coversInUse(current_->problem, *settings_));
   return best.freedoms == 0 && static_cast<double>(best.tallies.beams + best.tallies.axles) <=
                                    kManyBeams * static_cast<double>(bound);
 }

@@ -69,8 +69,8 @@ base::Result<std::string> placementsJson(std::string_view sketchJson,
   if (!settings.ok()) {
     return settings.error();
   }
-  const layout::LayoutProblem problem =
-      layout::makeLayoutProblem(guide::buildGuidingGraph(sketch.value()));
+  const layout::LayoutProblem problem = layout::makeLayoutProblem(
+      guide::buildGuidingGraph(sketch.value(), bridgingOf(settings.value())));
   const search::CoverTable table = coversInUse(problem, settings.value());
   ordered_json edges = ordered_json::array();
   for (const search::TableEdge& edge : table.edges) {

@@ -37,6 +37,11 @@ struct Settings {
   std::map<std::string, int> owned;
 };
 
+//! \brief Where a search with these settings may let mechanisms stand for beams' ends.
+inline guide::Bridging bridgingOf(const Settings& settings) {
+  return settings.corners ? guide::Bridging::kAtEnds : guide::Bridging::kWhereNeeded;
+}
+
 //! \brief Reads {"seed", "preset", "method", "set": {key: value}, "earlier": layout}; an empty text
 //! is all defaults. \details `earlier` is what DesignSession::layoutJson() gave for a sketch that
 //! this one came from. Keys of `set`: `weights.TERM` (objective/term.h), `effort` (times the usual
