@@ -80,6 +80,19 @@ TEST_F(Command, ListsPlacementsOfThePartsInUse) {
   }
 }
 
+TEST_F(Command, ListsEdgesThatBeamsMustCoverAsThePresetBridges) {
+  const std::string sketch = write("square.json",
+                                   testing::sketchOf({{{0, 0, 0}, {4, 0, 0}},
+                                                      {{4, 0, 0}, {4, 4, 0}},
+                                                      {{4, 4, 0}, {0, 4, 0}},
+                                                      {{0, 4, 0}, {0, 0, 0}}}));
+  for (const auto& [preset, edges] : {std::pair("simple", 16U), std::pair("balanced", 8U)}) {
+    const Outcome outcome = run("placements '" + sketch + "' --preset " + preset);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("edges").size(), edges) << preset;
+  }
+}
+
 TEST_F(Command, RefusesBadInputWithOneLine) {
   const std::string good = write("good.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
   expectRefused("solve '" + (folder_ / "none.json").string() + "'", "cannot be opened");
