@@ -23,6 +23,19 @@ test('a link that is pasted into the address of the open page opens', async ({ p
   await expect(page).not.toHaveURL(/broken/);
 });
 
+test('a link that is pasted while the page starts is opened too', async ({ page }) => {
+  const claw = await linkOf({ ...publicSketch('gallery/claw'), name: 'Pasted' });
+  await page.addInitScript((hash) => {
+    document.addEventListener('DOMContentLoaded', () => {
+      if (location.hash === '') {
+        location.hash = hash;
+      }
+    });
+  }, claw);
+  await openPage(page);
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Pasted');
+});
+
 test(`${COUNT} mutated links do the open page no harm`, async ({ page }) => {
   test.setTimeout(400_000); // as long as it takes: the count is what is tested
   await openEmpty(page);

@@ -205,6 +205,11 @@ async function start(): Promise<void> {
     },
     new AbortController().signal,
   );
+  let begin: () => void = () => undefined;
+  const begun = new Promise<void>((resolve) => {
+    begin = resolve;
+  });
+  followLinks(controller, begun);
   const { shelf } = controller;
   const saved = await shelf.begin(openLibrary(controller, await opening));
   await Promise.all([loadSentences(), loadPartNames()]);
@@ -220,8 +225,8 @@ async function start(): Promise<void> {
     sketchUnderWay: () => controller.run.sketchUnderWay,
   });
   controller.fitFirstModels();
+  begin();
   keepAddress(controller);
-  followLinks(controller);
   effect(() => {
     const name = store.sketch.value.name;
     document.title = name ? `${name} – ${text.app.name}` : text.app.name;
@@ -230,11 +235,15 @@ async function start(): Promise<void> {
   state.examples.value = await loadExamples(fetchJson).catch(() => []);
 }
 
-/** A link that is pasted into the address of the open page is opened as if the page were new. */
-function followLinks(controller: PageController): void {
+/**
+ * A link that is pasted into the address of the open page is opened as if the page were new.
+ * @param begun whatever the page begins with is there: what is pasted before waits for it.
+ */
+function followLinks(controller: PageController, begun: Promise<void>): void {
   window.addEventListener('hashchange', () => {
     controller.toaster.clearErrors();
-    openLink(controller, true)
+    begun
+      .then(() => openLink(controller, true))
       .then((opened) => (opened ? null : controller.files.updateAddress()))
       .catch(() => undefined);
   });

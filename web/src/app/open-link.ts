@@ -5,7 +5,7 @@ import { readSearchSettings, searchSettingsOf, unknownSettings } from '../state/
 import { fillWords } from '../tools/tool-words.ts';
 import { text } from '../ui/text.ts';
 import type { PageController } from './page-controller.ts';
-import { isOwnAddress } from './page-files.ts';
+import { isOwnAddress, takeFragment } from './page-files.ts';
 
 /**
  * Opens the sketch of the link in the address.
@@ -14,7 +14,8 @@ import { isOwnAddress } from './page-files.ts';
  */
 export async function openLink(controller: PageController, shows: boolean): Promise<boolean> {
   const { toaster } = controller;
-  const shared = shows && isOwnAddress() ? null : await decodeShare(location.hash.slice(1));
+  const fragment = takeFragment();
+  const shared = shows && isOwnAddress() ? null : await decodeShare(fragment);
   if (!shared) {
     return false;
   }

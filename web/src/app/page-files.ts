@@ -34,7 +34,21 @@ export function isOwnAddress(): boolean {
   return marked || textStorage('sessionStorage')?.getItem(OWN_FRAGMENT) === location.hash;
 }
 
+/** The fragment that was read or written last: any other is a link that was pasted and is still to be read. */
+let seenFragment: string | null = null;
+
+/** The address's fragment, to be read now. */
+export function takeFragment(): string {
+  seenFragment = location.hash;
+  return seenFragment.slice(1);
+}
+
+/** Writes the page's own address, but never over a link that nobody has read yet. */
 function writeAddress(hash: string): void {
+  if (location.hash !== seenFragment && !isOwnAddress()) {
+    return;
+  }
+  seenFragment = hash;
   history.replaceState(OWN_ADDRESS, '', hash === '' ? location.pathname + location.search : hash);
   try {
     textStorage('sessionStorage')?.setItem(OWN_FRAGMENT, hash);
