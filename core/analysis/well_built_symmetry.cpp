@@ -35,10 +35,11 @@ bool isRotation(const Mat3& a) {
   return determinant(a) > 0.0;
 }
 
-//! What a beam is to the eye: where its holes are.
+//! What a beam is to the eye: where its holes are, and across which direction it is flat.
 struct Holes {
   int part = -1;
   Vec3 middle;
+  Vec3 flat;  // the axis of most of its holes
   std::vector<Vec3> at;
 };
 
@@ -57,9 +58,39 @@ std::vector<Holes> holesOfBeams(const Scene& scene) {
       beam.middle = beam.middle + beam.at.back();
     }
     beam.middle = (1.0 / static_cast<double>(beam.at.size())) * beam.middle;
+    beam.flat = scene.model->parts[i].pose.rotation * part->features.front().axis;
     beams.push_back(std::move(beam));
   }
   return beams;
+}
+
+//! How far from its image's place a beam may lie where no two beams can lie as the map has them;
+//! nothing where they can.
+//! \details A beam has an odd number of holes. Across a mirror that is half a module off its holes it
+//! has one more on one side: its image is its own, moved by one. And beams that meet in the mirror
+//! cannot both lie on one layer there: they pass each other.
+Vec3 giveOf(const Holes& beam, const PointIsometry& map) {
+  const auto nearest = [&](Vec3 image) {
+    double best = lattice::length(beam.at.front() - image);
+    for (const Vec3& hole : beam.at) {
+      best = std::min(best, lattice::length(hole - image));
+    }
+    return best;
+  };
+  double least = nearest(map.apply(beam.at.front()));
+  double most = least;
+  for (const Vec3& hole : beam.at) {
+    const double distance = nearest(map.apply(hole));
+    least = std::min(least, distance);
+    most = std::max(most, distance);
+  }
+  const Vec3 step = beam.at[1] - beam.at[0];
+  if (most < 1.0 + kSame && most > 1.0 - kSame && least < kSame) {
+    return step;  // all but one of the holes are their own images
+  }
+  const Vec3 image = map.apply(beam.at[1]) - map.apply(beam.at[0]);
+  const bool turned = lattice::length(lattice::cross(image, step)) > kSame;
+  return turned && least < 1.0 - kSame ? beam.flat : Vec3{};
 }
 
 //! Beams by where their middles are.
@@ -71,9 +102,20 @@ class BeamIndex {
     }
   }
 
-  //! Whether a beam's image under a map is there.
+  //! Whether a beam's image under a map is there, or as near as can be.
   [[nodiscard]] bool has(const Holes& beam, const PointIsometry& map) const {
-    const Vec3 middle = map.apply(beam.middle);
+    const Vec3 give = giveOf(beam, map);
+    return hasAt(beam, map, {}) || hasAt(beam, map, give) || hasAt(beam, map, -1.0 * give);
+  }
+
+ private:
+  static Cell cellOf(Vec3 p) {
+    const auto cell = [](double v) { return static_cast<int>(std::floor(v)); };
+    return {cell(p.x), cell(p.y), cell(p.z)};
+  }
+
+  [[nodiscard]] bool hasAt(const Holes& beam, const PointIsometry& map, Vec3 shift) const {
+    const Vec3 middle = map.apply(beam.middle) + shift;
     const Cell low = cellOf(middle - Vec3{kSame, kSame, kSame});
     const Cell high = cellOf(middle + Vec3{kSame, kSame, kSame});
     for (int x = low.x; x <= high.x; ++x) {
@@ -82,7 +124,7 @@ class BeamIndex {
           const auto cell = cells_.find({x, y, z});
           if (cell != cells_.end() &&
               std::any_of(cell->second.begin(), cell->second.end(), [&](const Holes* other) {
-                return isImage(beam, *other, map);
+                return isImage(beam, *other, map, shift);
               })) {
             return true;
           }
@@ -92,16 +134,10 @@ class BeamIndex {
     return false;
   }
 
- private:
-  static Cell cellOf(Vec3 p) {
-    const auto cell = [](double v) { return static_cast<int>(std::floor(v)); };
-    return {cell(p.x), cell(p.y), cell(p.z)};
-  }
-
-  static bool isImage(const Holes& beam, const Holes& other, const PointIsometry& map) {
+  static bool isImage(const Holes& beam, const Holes& other, const PointIsometry& map, Vec3 shift) {
     return beam.at.size() == other.at.size() &&
            std::all_of(beam.at.begin(), beam.at.end(), [&](Vec3 hole) {
-             const Vec3 image = map.apply(hole);
+             const Vec3 image = map.apply(hole) + shift;
              return std::any_of(other.at.begin(), other.at.end(), [&](Vec3 p) {
                return lattice::length(p - image) < kSame;
              });

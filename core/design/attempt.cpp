@@ -1,9 +1,12 @@
 #include "design/attempt.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <cstdio>
 #include <cmath>
 #include <iterator>
 
+#include "design/alikeness.h"
 #include "design/covers_in_use.h"
 #include "design/looseness.h"
 #include "layout/stack.h"
@@ -11,18 +14,19 @@
 #include "search/annealer.h"
 #include "search/cover_bound.h"
 #include "search/paper_search.h"
-#include "sketch/symmetry_finder.h"
 
 namespace liftarm::design {
 
 namespace {
 
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
-constexpr double kManyBeams = 1.1;        // of the fewest: then a layout without mirrors is tried
-constexpr double kWorthOfSymmetry = 0.9;  // of the objective
+constexpr double kManyBeams = 1.3;        // of the fewest: then a layout without mirrors is tried
+constexpr double kWorthOfSymmetry = 0.25;  // of the objective, of a whole model ...
+constexpr double kWorthOfAlikeness = 0.05;  // ... and of a part of it
+constexpr double kAlike = 1.0 - 1e-9;
+constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen
 constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
 constexpr double kHalfBeam = 0.5;                // modules from a beam's middle line to its side
-constexpr double kAlong = 1e-6;
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
   mechanisms::CompositionOptions options;
@@ -33,12 +37,6 @@ mechanisms::MechanismTable makeTable(const Settings& settings) {
   options.maxParts = settings.mechanismParts;
   return mechanisms::MechanismTable(
       mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
-}
-
-//! Across X or Y: what a builder sees as left and right, front and back. Diagonal mirrors swap hole
-//! axes and contradict those.
-bool isSideways(lattice::Vec3 normal) {
-  return std::abs(normal.x) > 1.0 - kAlong || std::abs(normal.y) > 1.0 - kAlong;
 }
 
 //! The paper's method knows no spacers.
@@ -52,13 +50,22 @@ bool isWhole(const search::LayoutSnapshot& layout) {
   return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
 }
 
-//! What is tried, the first last: all wishes, then to stand alone, then none.
-std::vector<Wishes> plansFor(Wishes all) {
-  if (all.standing && all.symmetric) {
-    return {Wishes{}, Wishes{true, false}, all};
+//! What is tried, the first last: all wishes, then one mirror after the other, then to stand alone,
+//! then nothing.
+std::vector<Wishes> plansFor(Wishes all, std::size_t mirrors) {
+  std::vector<Wishes> plans{Wishes{}};
+  if (all.standing) {
+    plans.push_back(Wishes{true, false});
   }
-  return all.standing || all.symmetric ? std::vector<Wishes>{Wishes{}, all}
-                                       : std::vector<Wishes>{Wishes{}};
+  if (all.symmetric && mirrors > 1) {
+    for (auto i = static_cast<int>(mirrors) - 1; i >= 0; --i) {
+      plans.push_back(Wishes{all.standing, true, i});
+    }
+  }
+  if (all.symmetric && mirrors > 0) {
+    plans.push_back(all);
+  }
+  return plans;
 }
 
 }  // namespace
@@ -74,6 +81,8 @@ struct Attempts::Attempt {
         mobility(problem, table) {}
 
   Wishes wishes;
+  double value = 0.0;  // of its best layout, with what being symmetric is worth taken off
+  bool alike = false;  // whether that layout is symmetric
   layout::ConnectionSolver solver;
   layout::LayoutProblem problem;
   objective::Mobility mobility;
@@ -90,11 +99,9 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
     wanted.ground = lowest - kHalfBeam;
   }
   if (wishes.symmetric && wanted.symmetries.empty()) {
-    for (const sketch::Symmetry& found : sketch::findSymmetries(sketch).symmetries) {
-      if (found.kind == sketch::Symmetry::Kind::kReflection && found.lines.empty() &&
-          isSideways(found.normal)) {
-        wanted.symmetries.push_back(found);
-      }
+    wanted.symmetries = wishedSymmetries(sketch);
+    if (wishes.only >= 0) {
+      wanted.symmetries = {wanted.symmetries[static_cast<std::size_t>(wishes.only)]};
     }
   }
   return wanted;
@@ -102,7 +109,10 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
 
 Attempts::Attempts(const sketch::Sketch& sketch, const Settings& settings)
     : sketch_(&sketch), settings_(&settings), table_(makeTable(settings)) {
-  plans_ = plansFor({settings.standing, settings.symmetric && settings.annealing.earlier.empty()});
+  if (settings.symmetric && settings.annealing.earlier.empty() && sketch.symmetries.empty()) {
+    symmetries_ = wishedSymmetries(sketch);
+  }
+  plans_ = plansFor({settings.standing, !symmetries_.empty()}, symmetries_.size());
   const Wishes first = plans_.back();
   plans_.pop_back();
   begin(first, plans_.empty());
@@ -134,35 +144,38 @@ void Attempts::begin(Wishes wishes, bool last) {
     options.looseRuns = [mobility] { return mobility->looseRuns(); };
   }
   options.buildable = makeBuildable(attempt.problem, table_, *sketch_);
-  options.stiffening.frees = options.stiffening.frees && sketch_->symmetries.empty();
+  // What stays loose as it is may be stiff with fewer mirrors: that is tried next.
+  options.stiffening.frees = false;
+  if (wishes.symmetric) {
+    options.stiffening.rounds = std::min(options.stiffening.rounds, kSymmetricRounds);
+  }
   options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
   attempt.search =
       std::make_unique<search::Annealer>(attempt.problem, attempt.solver, std::move(options));
 }
 
-//! Whether the layout found with the present wishes need not be compared with others.
-bool Attempts::isGoodEnough() const {
-  const search::LayoutSnapshot& best = current_->search->best();
-  if (!isWhole(best)) {
-    return false;
-  }
-  const guide::GuidingGraph& graph = current_->problem.graph;
-  if (!current_->wishes.symmetric || !sketch_->symmetries.empty() || graph.symmetries.empty() ||
-      graph.runs.size() > kMostRunsToCompare) {
-    return true;
-  }
-  const int bound = search::coverLowerBound(coversInUse(current_->problem, *settings_));
-  return best.freedoms == 0 && static_cast<double>(best.tallies.beams + best.tallies.axles) <=
-                                   kManyBeams * static_cast<double>(bound);
+//! What a layout that has ended is worth beside others.
+void Attempts::judge(Attempt* attempt) const {
+  const search::LayoutSnapshot& layout = attempt->search->best();
+  const double share = alikeness(attempt->problem, layout, symmetries_);
+  attempt->alike = share > kAlike;
+  const double worth = attempt->alike ? kWorthOfSymmetry : kWorthOfAlikeness * share;
+  attempt->value = (1.0 - worth) * layout.energy;
 }
 
-bool Attempts::beats(const Attempt& one, const Attempt& other) const {
-  const search::LayoutSnapshot& mine = one.search->best();
-  const search::LayoutSnapshot& theirs = other.search->best();
-  if (!isWhole(mine) || mine.freedoms != theirs.freedoms) {
-    return isWhole(mine) && mine.freedoms < theirs.freedoms;
+//! Whether a layout need not be compared with others.
+bool Attempts::isGoodEnough(const Attempt& attempt) const {
+  const search::LayoutSnapshot& layout = attempt.search->best();
+  if (!isWhole(layout)) {
+    return false;
   }
-  return mine.energy < kWorthOfSymmetry * theirs.energy;
+  if (symmetries_.empty() || attempt.problem.graph.runs.size() > kMostRunsToCompare) {
+    return true;
+  }
+  const int bound = search::coverLowerBound(coversInUse(attempt.problem, *settings_));
+  return layout.freedoms == 0 && attempt.alike &&
+         static_cast<double>(layout.tallies.beams + layout.tallies.axles) <=
+             kManyBeams * static_cast<double>(bound);
 }
 
 bool Attempts::advance(std::uint32_t iterations) {
@@ -175,30 +188,42 @@ bool Attempts::advance(std::uint32_t iterations) {
   return done_;
 }
 
-//! After a search has ended: whether its layout is the answer, or what comes next.
+//! After a search has ended: whether there is an answer, or what comes next.
 void Attempts::goOn() {
-  const bool compared = symmetric_ != nullptr;
-  if (compared && beats(*current_, *symmetric_)) {
-    improvementsBefore_ += symmetric_->search->improvements();
-  } else if (compared) {
-    iterationsBefore_ += current_->search->iterations() - symmetric_->search->iterations();
-    current_ = std::move(symmetric_);
-  }
-  done_ = compared || plans_.empty() || isGoodEnough();
-  if (done_) {
-    symmetric_.reset();
-    return;
+  judge(current_.get());
+  if (getenv("LIFTDBG")) {
+    const auto& b = current_->search->best();
+    fprintf(stderr, "attempt stand=%d sym=%d/%d whole=%d viol=%d free=%d beams=%d axles=%d energy=%.2f value=%.2f alike=%d bound=%d iters=%lu\n",
+      current_->wishes.standing, current_->wishes.symmetric, current_->wishes.only, isWhole(b), b.tallies.violations(), b.freedoms, b.tallies.beams, b.tallies.axles, b.energy, current_->value, current_->alike,
+      search::coverLowerBound(coversInUse(current_->problem, *settings_)), current_->search->iterations());
   }
   iterationsBefore_ += current_->search->iterations();
-  left_ *= 0.5;
-  if (isWhole(current_->search->best())) {
-    symmetric_ = std::move(current_);
-  } else {
-    improvementsBefore_ += current_->search->improvements();
+  improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
+  const auto rank = [](const Attempt& attempt) {
+    return std::pair(attempt.search->best().freedoms, attempt.value);
+  };
+  if (isWhole(current_->search->best()) &&
+      (best_ == nullptr || rank(*current_) < rank(*best_))) {
+    improvementsBefore_ += best_ == nullptr ? 0 : 1;
+    best_ = std::move(current_);
+    dropNeedlessPlans();
   }
+  done_ = plans_.empty() || (best_ != nullptr && isGoodEnough(*best_));
+  if (done_) {
+    return;
+  }
+  left_ *= 0.5;
   const Wishes next = plans_.back();
   plans_.pop_back();
   begin(next, plans_.empty());
+}
+
+//! What stands is not compared with what need not.
+void Attempts::dropNeedlessPlans() {
+  plans_.erase(std::remove_if(plans_.begin(),
+                              plans_.end(),
+                              [&](Wishes plan) { return plan.standing < best_->wishes.standing; }),
+               plans_.end());
 }
 
 bool Attempts::done() const {
@@ -210,11 +235,12 @@ double Attempts::fraction() const {
 }
 
 std::uint32_t Attempts::improvements() const {
-  return improvementsBefore_ + shown().search->improvements();
+  const bool counted = done_ || best_ != nullptr;
+  return improvementsBefore_ + (counted ? 0 : current_->search->improvements());
 }
 
 std::uint64_t Attempts::iterations() const {
-  return iterationsBefore_ + current_->search->iterations();
+  return iterationsBefore_ + (done_ ? 0 : current_->search->iterations());
 }
 
 const search::LayoutSearch& Attempts::search() const {
@@ -225,9 +251,9 @@ const layout::LayoutProblem& Attempts::problem() const {
   return shown().problem;
 }
 
-//! While another layout is looked for, the symmetric one is what there is.
+//! While another layout is looked for, the best one is what there is.
 const Attempts::Attempt& Attempts::shown() const {
-  return symmetric_ != nullptr ? *symmetric_ : *current_;
+  return best_ != nullptr ? *best_ : *current_;
 }
 
 }  // namespace liftarm::design

@@ -16,7 +16,8 @@ namespace liftarm::design {
 //! whole layout was found with it.
 struct Wishes {
   bool standing = false;   //!< nothing below the lowest drawn plane (DESIGN 5b.2)
-  bool symmetric = false;  //!< mirrors of the whole drawing across X and Y are kept (5b.5)
+  bool symmetric = false;  //!< the drawing's own symmetries are kept (design/alikeness.h)
+  int only = -1;           //!< the one of these that is kept; negative: all
 };
 
 //! \brief The sketch with what is wished for written into it: its ground half a module below its
@@ -25,9 +26,10 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 
 //! \brief The searches for one sketch, one after the other: with every wish of the settings, then
 //! with fewer, until a layout is whole.
-//! \details Where the symmetric layout is whole but loose, or takes many more beams than are needed
-//! (bent beams across a mirror and frames obey none), it is compared with one that need not be
-//! symmetric; being so is worth a tenth of the objective.
+//! \details Two mirrors at once leave few layouts: where the best of these is loose, or takes many more
+//! beams than are needed (bent beams across a mirror and frames obey none), it is compared with
+//! those that keep one mirror, and with one that keeps none; being symmetric is worth a part of the
+//! objective.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.
@@ -62,16 +64,18 @@ class Attempts {
 
   void goOn();
   void begin(Wishes wishes, bool last);
+  void judge(Attempt* attempt) const;
   [[nodiscard]] const Attempt& shown() const;
-  [[nodiscard]] bool isGoodEnough() const;
-  [[nodiscard]] bool beats(const Attempt& one, const Attempt& other) const;
+  [[nodiscard]] bool isGoodEnough(const Attempt& attempt) const;
+  void dropNeedlessPlans();
 
   const sketch::Sketch* sketch_;
   const Settings* settings_;
   mechanisms::MechanismTable table_;
-  std::vector<Wishes> plans_;  // those still to come, the next one last
+  std::vector<sketch::Symmetry> symmetries_;  // that are wished for
+  std::vector<Wishes> plans_;                 // those still to come, the next one last
   std::unique_ptr<Attempt> current_;
-  std::unique_ptr<Attempt> symmetric_;  // whole, waiting for what it is compared with
+  std::unique_ptr<Attempt> best_;  // whole, of those that have ended
   std::uint64_t iterationsBefore_ = 0;
   std::uint32_t improvementsBefore_ = 0;
   double left_ = 1.0;  // of the fraction when the present search began

@@ -205,6 +205,8 @@ void applyPreset(Settings* settings) {
     return;
   }
   settings->connectors.emplace_back("15100");
+  settings->connectors.emplace_back("44809");
+  settings->mechanismParts = 3;
   settings->connection = {4.0, 1.2};
   settings->annealing.stiffening = {.rounds = 14,
                                     .roundsPerStart = 14,

@@ -7,6 +7,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "sketch/point_symmetry.h"
+
 namespace liftarm::guide {
 
 namespace {
@@ -167,17 +169,13 @@ std::vector<int> runsOfLines(const sketch::Arrangement& arrangement,
   return runs;
 }
 
-//! p -> p - 2 (normal.p - offset) normal.
-GuideSymmetry mirrorOf(const sketch::Symmetry& symmetry) {
-  GuideSymmetry mirror;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      mirror.linear.m[3 * i + j] -=
-          2.0 * symmetry.normal[static_cast<int>(i)] * symmetry.normal[static_cast<int>(j)];
-    }
-  }
-  mirror.shift = (2.0 * symmetry.offset) * symmetry.normal;
-  return mirror;
+//! Of a reflection or a rotation.
+GuideSymmetry pointMapOf(const sketch::Symmetry& symmetry) {
+  const sketch::PointIsometry isometry = sketch::isometryOf(symmetry);
+  GuideSymmetry map;
+  map.linear = isometry.linear;
+  map.shift = isometry.apply({});
+  return map;
 }
 
 void addSymmetries(const sketch::Sketch& sketch,
@@ -185,15 +183,15 @@ void addSymmetries(const sketch::Sketch& sketch,
                    const std::vector<Segment>& segments,
                    GuidingGraph* graph) {
   for (const sketch::Symmetry& symmetry : sketch.symmetries) {
-    if (symmetry.kind == sketch::Symmetry::Kind::kReflection) {
-      GuideSymmetry mirror = mirrorOf(symmetry);
+    if (symmetry.kind != sketch::Symmetry::Kind::kTranslation) {
+      GuideSymmetry map = pointMapOf(symmetry);
       std::vector<int> lines = symmetry.lines;
       for (std::size_t l = 0; symmetry.lines.empty() && l < sketch.lines.size(); ++l) {
         lines.push_back(static_cast<int>(l));
       }
-      mirror.runs = runsOfLines(arrangement, segments, lines);
-      mirror.partners = mirror.runs;
-      graph->symmetries.push_back(std::move(mirror));
+      map.runs = runsOfLines(arrangement, segments, lines);
+      map.partners = map.runs;
+      graph->symmetries.push_back(std::move(map));
       continue;
     }
     for (const auto& [line, image] : symmetry.pairs) {

@@ -49,7 +49,7 @@ struct GuideJoint {
 };
 
 //! \brief Two groups of runs that the sketch calls symmetric: p -> linear * p + shift brings the
-//! partners onto the runs. A mirrored group is its own partner.
+//! partners onto the runs. A group that is mirrored or turned is its own partner.
 struct GuideSymmetry {
   lattice::Mat3 linear;
   lattice::Vec3 shift;

@@ -27,12 +27,10 @@ bool near(Vec3 a, Vec3 b) {
   return lattice::dot(d, d) < kSamePlace * kSamePlace;
 }
 
-//! Whether a linear part turns right hands into left ones.
-bool isMirror(const lattice::Mat3& linear) {
-  const Vec3 x = linear * Vec3{1, 0, 0};
-  const Vec3 y = linear * Vec3{0, 1, 0};
-  const Vec3 z = linear * Vec3{0, 0, 1};
-  return lattice::dot(lattice::cross(x, y), z) < 0.0;
+//! Whether a linear part moves nothing: of a shift.
+bool isShift(const lattice::Mat3& linear) {
+  return near(linear * Vec3{1, 0, 0}, {1, 0, 0}) && near(linear * Vec3{0, 1, 0}, {0, 1, 0}) &&
+         near(linear * Vec3{0, 0, 1}, {0, 0, 1});
 }
 
 //! How a linear map permutes the principal axes; nothing when it does not.
@@ -56,20 +54,23 @@ std::optional<RunImage> axesOf(const lattice::Mat3& linear) {
 }
 
 RunImage inverseOf(const RunImage& image, int run) {
-  RunImage inverse{run, image.reversed, {}, {}};
+  RunImage inverse{run, image.reversed, {}, {}, {}};
   for (int i = 0; i < 3; ++i) {
-    inverse.axes[at(image.axes[at(i)])] = i;
-    inverse.signs[at(image.axes[at(i)])] = image.signs[at(i)];
+    const std::size_t mapped = at(image.axes[at(i)]);
+    inverse.axes[mapped] = i;
+    inverse.signs[mapped] = image.signs[at(i)];
+    inverse.lifts[mapped] = -image.lifts[at(i)] * image.signs[at(i)];
   }
   return inverse;
 }
 
 //! First `a`, then `b`.
 RunImage composed(const RunImage& a, const RunImage& b) {
-  RunImage image{b.run, a.reversed != b.reversed, {}, {}};
+  RunImage image{b.run, a.reversed != b.reversed, {}, {}, {}};
   for (std::size_t i = 0; i < 3; ++i) {
     image.axes[i] = b.axes[at(a.axes[i])];
     image.signs[i] = a.signs[i] * b.signs[at(a.axes[i])];
+    image.lifts[i] = b.layerOf(a.lifts[i], at(a.axes[i]));
   }
   return image;
 }
@@ -96,7 +97,48 @@ bool touchFirmly(const GuidingGraph& graph, int a, int b) {
   return false;
 }
 
+//! A cover that reads the same from both ends has a beam across the middle: none but the shortest and
+//! those of two thin halves have an even number of holes. A builder lets one end stick out.
+bool hasNoMiddle(const GuideRun& run) {
+  return run.nodes.size() > 2 && run.nodes.size() % 2 == 0;
+}
+
+Vec3 middleOf(const GuidingGraph& graph, const GuideRun& run) {
+  return 0.5 * (graph.nodes[at(run.nodes.front())] + graph.nodes[at(run.nodes.back())]);
+}
+
 }  // namespace
+
+//! Runs that meet their image on the same layer pass it on the next one, towards the middle of the
+//! drawing: so the images of both under another mirror pass each other alike.
+void Orbits::crossOver(const GuidingGraph& graph, Generator* generator) {
+  Vec3 centre;
+  for (const Vec3& node : graph.nodes) {
+    centre = centre + (1.0 / static_cast<double>(graph.nodes.size())) * node;
+  }
+  for (std::size_t r = 0; r < graph.runs.size(); ++r) {
+    RunImage& there = generator->forward[r];
+    const int run = static_cast<int>(r);
+    if (there.run <= run || graph.runs[r].exact ||
+        generator->forward[at(there.run)].run != run || !touchFirmly(graph, run, there.run)) {
+      continue;
+    }
+    RunImage& back = generator->forward[at(there.run)];
+    const Vec3 middle = middleOf(graph, graph.runs[r]);
+    const Vec3 apart = middleOf(graph, graph.runs[at(there.run)]) - middle;
+    const bool swapped = apart.x + apart.y + apart.z < -kSamePlace;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (there.axes[i] == static_cast<int>(i) && there.signs[i] > 0) {
+        const int axis = static_cast<int>(i);
+        const int inwards = middle[axis] > centre[axis] + kSamePlace ? -1 : 1;
+        there.lifts[i] = swapped ? -inwards : inwards;
+        back.lifts[i] = -there.lifts[i];
+      }
+    }
+    generator->backward[r] = inverseOf(back, there.run);
+    generator->backward[at(there.run)] = inverseOf(there, run);
+  }
+}
 
 Orbits::Generator Orbits::makeGenerator(const GuidingGraph& graph,
                                         const std::vector<const GuideSymmetry*>& parts) {
@@ -118,7 +160,8 @@ Orbits::Generator Orbits::makeGenerator(const GuidingGraph& graph,
                            near(last, graph.nodes[at(to.nodes.back())]);
         const bool back = near(first, graph.nodes[at(to.nodes.back())]) &&
                           near(last, graph.nodes[at(to.nodes.front())]);
-        if ((ahead || back) && sameRules(from, to, *axes)) {
+        const bool noMiddle = id == partner && back && hasNoMiddle(to);
+        if ((ahead || back) && !noMiddle && sameRules(from, to, *axes)) {
           RunImage image = *axes;
           image.run = id;
           image.reversed = back;
@@ -128,6 +171,7 @@ Orbits::Generator Orbits::makeGenerator(const GuidingGraph& graph,
       }
     }
   }
+  crossOver(graph, &generator);
   return generator;
 }
 
@@ -184,6 +228,7 @@ SelfBinding Orbits::binding(int run, Axis axis) const {
       continue;
     }
     binding.allowed = binding.allowed && image.axes[a] == static_cast<int>(a);
+    binding.allowed = binding.allowed && image.lifts[a] == 0;
     if (!image.reversed) {
       binding.pinned = binding.pinned || image.signs[a] < 0;
     } else {
@@ -202,16 +247,13 @@ bool Orbits::lost(const GuidingGraph& graph, int run, Axis axis) const {
   if (!self.allowed || (self.pinned && graph.runs[at(run)].edgeCount() > kLongestBeam)) {
     return true;
   }
-  // A cover that reads the same from both ends has a beam across the middle: none but the shortest
-  // and those of two thin halves have an even number of holes. A builder lets one end stick out.
-  const int nodes = graph.runs[at(run)].edgeCount() + 1;
-  if (self.centred && nodes > 2 && nodes % 2 == 0) {
+  if (self.centred && hasNoMiddle(graph.runs[at(run)])) {
     return true;
   }
   // An image that is met on the same layer would stand in the way.
   return std::any_of(images(run).begin(), images(run).end(), [&](const RunImage& image) {
     return image.run != run && image.axes[a] == static_cast<int>(a) && image.signs[a] > 0 &&
-           touchFirmly(graph, run, image.run);
+           image.lifts[a] == 0 && touchFirmly(graph, run, image.run);
   });
 }
 
@@ -238,12 +280,12 @@ int Orbits::pinnedAxes(const GuidingGraph& graph) const {
   return pairs;
 }
 
-bool Orbits::accept(const GuidingGraph& graph, Generator generator, bool mirror) {
+bool Orbits::accept(const GuidingGraph& graph, Generator generator, bool shift) {
   const Orbits before = *this;
   const int pinnedBefore = generators_.empty() ? 0 : pinnedAxes(graph);
   generators_.push_back(std::move(generator));
   close(graph);
-  const bool contradicts = !mirror && pinnedAxes(graph) > pinnedBefore;
+  const bool contradicts = shift && pinnedAxes(graph) > pinnedBefore;
   for (std::vector<int> without = lostRuns(graph); !without.empty() && !contradicts;
        without = lostRuns(graph)) {
     if (without.size() * kLostShare > graph.runs.size() && !before.empty_) {
@@ -269,14 +311,14 @@ Orbits::Orbits(const GuidingGraph& graph) {
   close(graph);
   for (std::size_t s = 0; s < graph.symmetries.size();) {
     std::vector<const GuideSymmetry*> parts{&graph.symmetries[s]};
-    const bool mirror = isMirror(parts[0]->linear);
+    const bool shift = isShift(parts[0]->linear);
     // A shift is given pair by pair.
-    for (++s; !mirror && s < graph.symmetries.size() && !isMirror(graph.symmetries[s].linear) &&
+    for (++s; shift && s < graph.symmetries.size() && isShift(graph.symmetries[s].linear) &&
               near(graph.symmetries[s].shift, parts[0]->shift);
          ++s) {
       parts.push_back(&graph.symmetries[s]);
     }
-    accept(graph, makeGenerator(graph, parts), mirror);
+    accept(graph, makeGenerator(graph, parts), shift);
   }
   for (std::size_t r = 0; r < graph.runs.size(); ++r) {
     allowed_.push_back({true, true, true});

@@ -16,9 +16,17 @@ struct RunImage {
   bool reversed = false;
   std::array<int, 3> axes{0, 1, 2};   //!< image of each hole axis
   std::array<int, 3> signs{1, 1, 1};  //!< of the layers along it
+  //! Added to the layers along it, after the sign: two beams that meet in the mirror cannot lie on
+  //! one layer, so they pass each other as a builder's rafters do.
+  std::array<int, 3> lifts{0, 0, 0};
+
+  [[nodiscard]] int layerOf(int layer, std::size_t axis) const {
+    return layer * signs[axis] + lifts[axis];
+  }
 
   friend bool operator==(const RunImage& a, const RunImage& b) {
-    return a.run == b.run && a.reversed == b.reversed && a.axes == b.axes && a.signs == b.signs;
+    return a.run == b.run && a.reversed == b.reversed && a.axes == b.axes && a.signs == b.signs &&
+           a.lifts == b.lifts;
   }
 };
 
@@ -73,11 +81,12 @@ class Orbits {
   static Generator makeGenerator(const GuidingGraph& graph,
                                  const std::vector<const GuideSymmetry*>& parts);
   static void drop(Generator* generator, int run);
+  static void crossOver(const GuidingGraph& graph, Generator* generator);
   void close(const GuidingGraph& graph);
   [[nodiscard]] bool lost(const GuidingGraph& graph, int run, lattice::Axis axis) const;
   [[nodiscard]] std::vector<int> lostRuns(const GuidingGraph& graph) const;
   [[nodiscard]] int pinnedAxes(const GuidingGraph& graph) const;
-  bool accept(const GuidingGraph& graph, Generator generator, bool mirror);
+  bool accept(const GuidingGraph& graph, Generator generator, bool shift);
 
   std::vector<Generator> generators_;
   std::vector<std::vector<RunImage>> images_;

@@ -1,7 +1,9 @@
 #include "mechanisms/mechanism.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -34,14 +36,24 @@ std::optional<Axis> principalAxis(Vec3 v) {
   return std::nullopt;
 }
 
+//! \pre rotation is one of the lattice's: all its entries are whole.
 Cell turned(const Mat3& rotation, Cell cell) {
-  const std::optional<Cell> result = wholeCell(rotation * lattice::toVec3(cell));
-  LIFTARM_CHECK(result.has_value(), "a lattice rotation keeps whole cells whole");
-  return *result;
+  Cell result;
+  for (int i = 0; i < 3; ++i) {
+    const auto row = static_cast<std::size_t>(3 * i);
+    for (int k = 0; k < 3; ++k) {
+      const double entry = rotation.m[row + static_cast<std::size_t>(k)];
+      result[i] += static_cast<int>(entry) * cell[k];
+    }
+  }
+  return result;
 }
 
 Axis turned(const Mat3& rotation, Axis axis) {
-  return *principalAxis(rotation * lattice::unitVector(axis));
+  Cell unit;
+  unit[lattice::index(axis)] = 1;
+  const Cell image = turned(rotation, unit);
+  return image.x != 0 ? Axis::kX : (image.y != 0 ? Axis::kY : Axis::kZ);
 }
 
 void sortHeadsFirst(std::vector<MechanismCell>* cells) {
@@ -149,40 +161,106 @@ std::optional<Mechanism> joined(const Mechanism& base, const Mechanism& added, C
   return result;
 }
 
-using CellKey = std::tuple<int, int, int, int, int>;
-using ShapeKey = std::vector<CellKey>;
+//! A lattice rotation in whole numbers.
+struct Turn {
+  std::array<int, 3> from{};  // component i of a turned cell is sign[i] times component from[i]
+  std::array<int, 3> sign{};
 
-ShapeKey keyOf(const Mechanism& mechanism) {
-  ShapeKey key;
-  const Cell base = mechanism.cells.empty()
-                        ? Cell{}
-                        : std::min_element(mechanism.cells.begin(),
-                                           mechanism.cells.end(),
-                                           [](const MechanismCell& a, const MechanismCell& b) {
-                                             return a.at < b.at;
-                                           })
-                              ->at;
+  [[nodiscard]] Cell of(Cell cell) const {
+    Cell result;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      result[i] = sign[k] * cell[from[k]];
+    }
+    return result;
+  }
+
+  [[nodiscard]] int axisOf(Axis axis) const {
+    return static_cast<int>(std::find(from.begin(), from.end(), lattice::index(axis)) -
+                            from.begin());
+  }
+};
+
+const std::vector<Turn>& turns() {
+  static const std::vector<Turn> kTurns = [] {
+    std::vector<Turn> all;
+    for (const Mat3& rotation : lattice::latticeRotations()) {
+      Turn turn;
+      for (int i = 0; i < 3; ++i) {
+        Cell unit;
+        unit[i] = 1;
+        const Cell image = turned(rotation, unit);
+        for (int k = 0; k < 3; ++k) {
+          if (image[k] != 0) {
+            turn.from[static_cast<std::size_t>(k)] = i;
+            turn.sign[static_cast<std::size_t>(k)] = image[k];
+          }
+        }
+      }
+      all.push_back(turn);
+    }
+    return all;
+  }();
+  return kTurns;
+}
+
+//! A number for each cell, sorted: where it is in the box around all, and what it does.
+using ShapeKey = std::vector<std::uint32_t>;
+
+ShapeKey keyOf(const Mechanism& mechanism, const Turn& turn) {
+  constexpr std::uint32_t kWidth = 64;  // of a mechanism, at most, and of all roles
+  std::vector<Cell> places;
+  places.reserve(mechanism.cells.size());
+  Cell base{1 << 20, 1 << 20, 1 << 20};
   for (const MechanismCell& cell : mechanism.cells) {
-    const Cell at = cell.at - base;
+    places.push_back(turn.of(cell.at));
+    for (int i = 0; i < 3; ++i) {
+      base[i] = std::min(base[i], places.back()[i]);
+    }
+  }
+  ShapeKey key;
+  key.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const MechanismCell& cell = mechanism.cells[i];
+    const Cell at = places[i] - base;
     const int role = cell.head ? 1 + static_cast<int>(cell.kind)
-                               : (cell.openHole ? 10 + static_cast<int>(cell.kind) : 0);
-    const int axis = role == 0 ? 0 : lattice::index(cell.axis);
-    const int end = cell.collar.x + cell.collar.y + cell.collar.z;  // one of them, 1 or -1, or none
-    key.emplace_back(at.x, at.y, at.z, role, axis + 3 * (end + 1));
+                               : (cell.openHole ? 7 + static_cast<int>(cell.kind) : 0);
+    const int axis = role == 0 ? 0 : turn.axisOf(cell.axis);
+    const Cell collar = turn.of(cell.collar);
+    const int end = collar.x + collar.y + collar.z;  // one of them, 1 or -1, or none
+    std::uint32_t code = 0;
+    for (const int part : {at.x, at.y, at.z}) {
+      code = code * kWidth + static_cast<std::uint32_t>(part);
+    }
+    code = code * 16 + static_cast<std::uint32_t>(role);
+    key.push_back(code * 9 + static_cast<std::uint32_t>(axis + 3 * (end + 1)));
   }
   std::sort(key.begin(), key.end());
   return key;
 }
 
+//! The least key of all rotations.
 ShapeKey canonicalKey(const Mechanism& mechanism) {
   ShapeKey best;
-  for (const Mat3& rotation : lattice::latticeRotations()) {
-    ShapeKey key = keyOf(rotated(mechanism, rotation));
+  for (const Turn& turn : turns()) {
+    ShapeKey key = keyOf(mechanism, turn);
     if (best.empty() || key < best) {
       best = std::move(key);
     }
   }
   return best;
+}
+
+//! The ways that a part can be turned, without those that look alike.
+std::vector<Mechanism> turnedWays(const Mechanism& piece) {
+  std::set<ShapeKey> seen;
+  std::vector<Mechanism> ways;
+  for (std::size_t r = 0; r < turns().size(); ++r) {
+    if (seen.insert(keyOf(piece, turns()[r])).second) {
+      ways.push_back(rotated(piece, lattice::latticeRotations()[r]));
+    }
+  }
+  return ways;
 }
 
 //! Whether something stops what is on the axle at this cell from sliding to this side.
@@ -236,14 +314,13 @@ bool usable(const Mechanism& mechanism) {
          });
 }
 
-//! All ways to add `piece` to `base` by one fitting pair of cells.
+//! All ways to add a piece, turned in these ways, to `base` by one fitting pair of cells.
 void extend(const Mechanism& base,
-            const Mechanism& piece,
+            const std::vector<Mechanism>& ways,
             int maxCells,
             std::set<ShapeKey>* seen,
             std::vector<Mechanism>* out) {
-  for (const Mat3& rotation : lattice::latticeRotations()) {
-    const Mechanism turnedPiece = rotated(piece, rotation);
+  for (const Mechanism& turnedPiece : ways) {
     for (const MechanismCell& onBase : base.cells) {
       for (const MechanismCell& onPiece : turnedPiece.cells) {
         if (!fits(onBase, onPiece) && !fits(onPiece, onBase)) {
@@ -259,10 +336,10 @@ void extend(const Mechanism& base,
   }
 }
 
-//! The heads alone and the body alone, both in the frame where the first head is the origin.
-bool bodyContained(const Mechanism& small, const Mechanism& large) {
-  for (const Mat3& rotation : lattice::latticeRotations()) {
-    const Mechanism candidate = rotated(small, rotation);
+//! Whether a mechanism, turned in one of these ways, has the heads of another and no body beyond its
+//! own.
+bool bodyContained(const std::vector<Mechanism>& ways, const Mechanism& large) {
+  for (const Mechanism& candidate : ways) {
     for (const MechanismCell& anchor : large.cells) {
       if (!anchor.head) {
         break;
@@ -284,12 +361,15 @@ bool bodyContained(const Mechanism& small, const Mechanism& large) {
 
 std::vector<Mechanism> pruned(std::vector<Mechanism> all) {
   std::vector<Mechanism> kept;
+  std::vector<std::vector<Mechanism>> ways;  // of those
   for (Mechanism& mechanism : all) {
-    const bool dominated = std::any_of(kept.begin(), kept.end(), [&](const Mechanism& k) {
+    const bool dominated = std::any_of(ways.begin(), ways.end(), [&](const auto& smaller) {
+      const Mechanism& k = smaller.front();
       return k.headCount() == mechanism.headCount() && k.parts.size() <= mechanism.parts.size() &&
-             bodyContained(k, mechanism);
+             k.cells.size() <= mechanism.cells.size() && bodyContained(smaller, mechanism);
     });
     if (!dominated) {
+      ways.push_back(turnedWays(mechanism));
       kept.push_back(std::move(mechanism));
     }
   }
@@ -340,11 +420,14 @@ std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
       all.push_back(piece);
     }
   }
+  std::vector<std::vector<Mechanism>> ways;
+  ways.reserve(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), std::back_inserter(ways), turnedWays);
   std::size_t levelBegin = 0;
   for (int parts = 2; parts <= options.maxParts; ++parts) {
     const std::size_t levelEnd = all.size();
     for (std::size_t i = levelBegin; i < levelEnd; ++i) {
-      for (const Mechanism& piece : pieces) {
+      for (const std::vector<Mechanism>& piece : ways) {
         const Mechanism base = all[i];
         extend(base, piece, options.maxCells, &seen, &all);
       }

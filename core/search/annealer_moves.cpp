@@ -237,9 +237,10 @@ bool Annealer::mirror(int run, double noise) {
     return false;
   }
   const int sum = rng_.below(2) == 0 ? 1 : -1;
+  const int farthest = guide::kMaxLayer - orbits_.farthestLift(run, cover.axis);
   for (layout::Beam& beam : cover.beams) {
     beam.layer = sum - beam.layer;
-    if (beam.layer > guide::kMaxLayer || beam.layer < -guide::kMaxLayer) {
+    if (beam.layer > farthest || beam.layer < -farthest) {
       return false;
     }
   }

@@ -48,7 +48,8 @@ std::vector<int> Annealer::planeOf(int run) const {
 }
 
 //! Shifts a component's layers by one or turns it over, its images with it. \return False where an
-//! exact line, a frame, an axle, a mirror or the farthest layer forbids it.
+//! exact line, a frame, an axle, a mirror, beams that pass each other in one, or the farthest layer
+//! forbids it.
 bool Annealer::shift(int run) {
   const LayerMap map = kMaps[rng_.below(static_cast<std::uint32_t>(kMaps.size()))];
   const std::vector<int> plane = planeOf(run);
@@ -71,7 +72,7 @@ bool Annealer::shift(int run) {
     const guide::SelfBinding binding = orbits_.orbits().binding(r, cover.axis);
     const auto axis = at(lattice::index(cover.axis));
     for (const guide::RunImage& image : orbits_.orbits().images(r)) {
-      if (inPlane(image.run) && image.signs[axis] < 0) {
+      if ((inPlane(image.run) && image.signs[axis] < 0) || image.lifts[axis] != 0) {
         return false;
       }
     }

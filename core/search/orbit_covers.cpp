@@ -13,6 +13,7 @@ using layout::Beam;
 using layout::Cover;
 
 constexpr double kPickCheapest = 0.75;  // share of middle beams that leave the fewest others
+constexpr std::array<int, 3> kNoLifts{};
 constexpr double kPickLine = 0.5;       // share of middle beams on the line itself
 
 std::size_t at(int i) {
@@ -26,7 +27,7 @@ Cover imageOf(const Cover& cover, const guide::RunImage& image, int edges) {
   for (const Beam& beam : cover.beams) {
     Beam mirrored = beam;
     mirrored.start = image.reversed ? edges - beam.last() : beam.start;
-    mirrored.layer = beam.layer * image.signs[axis];
+    mirrored.layer = image.layerOf(beam.layer, axis);
     mirrored.tail = image.reversed ? -beam.tail : beam.tail;
     mapped.beams.push_back(mirrored);
   }
@@ -123,13 +124,24 @@ bool OrbitCovers::mayBend(int run, int mate, lattice::Axis axis, int layer) cons
     for (const guide::RunImage& image : orbits_.images(one)) {
       const std::optional<int> mapped = imageOfMate(one, image, other);
       // A bent beam whose arms change places, or that shares a run with its image, is left out.
-      if (!mapped || image.run == other || *mapped == one ||
+      if (!mapped || image.run == other || *mapped == one || image.lifts != kNoLifts ||
           (image.run == one) != (*mapped == other)) {
         return false;
       }
     }
   }
   return true;
+}
+
+int OrbitCovers::farthestLift(int run, lattice::Axis axis) const {
+  int lift = 0;
+  if (!active()) {
+    return lift;
+  }
+  for (const guide::RunImage& image : orbits_.images(run)) {
+    lift = std::max(lift, std::abs(image.lifts[at(lattice::index(axis))]));
+  }
+  return lift;
 }
 
 //! The beam across the middle of a run that reads the same from both ends; holes 0: none fits.
@@ -179,13 +191,13 @@ std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
   place(layout, run, {axis, {}});
   const guide::SelfBinding binding = orbits_.binding(run, axis);
   const int reach = coverer->reach();
-  if (binding.pinned) {
-    coverer->setReach(0);
-  }
+  const int near =
+      binding.pinned ? 0 : std::min(reach, guide::kMaxLayer - farthestLift(run, axis));
+  coverer->setReach(near);
   std::optional<Cover> cover;
   if (!binding.centred) {
     cover = coverer->propose(*layout, run, axis, noise, rng);
-  } else if (const Beam middle = middleBeam(run, binding, reach, rng); middle.holes > 0) {
+  } else if (const Beam middle = middleBeam(run, binding, near, rng); middle.holes > 0) {
     coverer->setFixed({middle});
     cover = coverer->propose(*layout, run, axis, noise, rng);
     coverer->setFixed({});

@@ -36,6 +36,9 @@ class OrbitCovers {
   //! \brief Whether a bent beam on two runs can be carried to all their images.
   [[nodiscard]] bool mayBend(int run, int mate, lattice::Axis axis, int layer) const;
 
+  //! \brief How many layers further than a run its images lie at most.
+  [[nodiscard]] int farthestLift(int run, lattice::Axis axis) const;
+
   void release(int run) { orbits_.release(run); }
 
   //! \brief Frees the runs that meet at a junction, and those bound to them.

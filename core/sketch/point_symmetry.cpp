@@ -1,6 +1,7 @@
 #include "sketch/point_symmetry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -226,6 +227,29 @@ struct Candidates {
 };
 
 }  // namespace
+
+PointIsometry isometryOf(const Symmetry& symmetry) {
+  const Vec3 a = symmetry.normal;
+  PointIsometry isometry;
+  const bool mirror = symmetry.kind == Symmetry::Kind::kReflection;
+  isometry.centre = mirror ? symmetry.offset * a : symmetry.vector;
+  // Of p - centre: a mirror turns the part along a round, a half turn keeps that alone.
+  const double along = symmetry.order == 2 || mirror ? 2.0 : 1.0;
+  const double rest = symmetry.order == 2 || mirror ? 1.0 : 0.0;
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double kept = along * a[i] * a[k] - (i == k ? rest : 0.0);
+      isometry.linear.m[at(3 * i + k)] = mirror ? -kept : kept;
+    }
+  }
+  if (!mirror && symmetry.order == 4) {
+    const std::array<double, 9> turned{0, -a.z, a.y, a.z, 0, -a.x, -a.y, a.x, 0};
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      isometry.linear.m[i] += turned[i];
+    }
+  }
+  return isometry;
+}
 
 std::vector<PointIsometry> pointSymmetries(const Arrangement& arrangement, int piece) {
   const NodeSet nodes(arrangement, piece);

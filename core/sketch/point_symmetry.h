@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sketch/arrangement.h"
+#include "sketch/sketch.h"
 
 namespace liftarm::sketch {
 
@@ -15,6 +16,9 @@ struct PointIsometry {
     return linear * (p - centre) + centre;
   }
 };
+
+//! \brief What a reflection or a rotation does to points. \pre symmetry is no translation.
+PointIsometry isometryOf(const Symmetry& symmetry);
 
 //! \brief All isometries but the identity, and but mirrors that move no node, that bring the unit
 //! edges of an arrangement onto themselves with their rules and joints. Each once by its effect on

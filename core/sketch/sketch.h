@@ -29,14 +29,16 @@ struct Joint {
 
 //! \brief Lines mapped onto lines: by a mirror plane {p : normal.p = offset} or by a shift.
 struct Symmetry {
-  enum class Kind { kReflection, kTranslation };
+  //! A rotation is no part of the format: only what a search wishes for has it.
+  enum class Kind { kReflection, kTranslation, kRotation };
 
   Kind kind = Kind::kReflection;
-  lattice::Vec3 normal;                    //!< reflection: unit length
+  lattice::Vec3 normal;                    //!< reflection: unit length; rotation: its axis
   double offset = 0.0;                     //!< reflection: modules along the normal
   std::vector<int> lines;                  //!< reflection: empty means all
-  lattice::Vec3 vector;                    //!< translation: modules
+  lattice::Vec3 vector;                    //!< translation: modules; rotation: a point on the axis
   std::vector<std::pair<int, int>> pairs;  //!< translation: line, image
+  int order = 2;                           //!< rotation: 2 or 4, by 360 / order degrees
 };
 
 //! \brief An axis-aligned box of cells (by their centres, inclusive) that no part may enter.
