@@ -17,7 +17,8 @@ using lattice::Mat3;
 using lattice::Vec3;
 using sketch::PointIsometry;
 
-constexpr double kSame = 0.06;  // modules; snapping may leave most of it
+constexpr double kSame = 0.06;      // modules; snapping may leave most of it
+constexpr double kMostLayers = 4.0;  // between beams that stand for one line
 
 double determinant(const Mat3& a) {
   const Vec3 x{a.m[0], a.m[3], a.m[6]};
@@ -64,33 +65,67 @@ std::vector<Holes> holesOfBeams(const Scene& scene) {
   return beams;
 }
 
-//! How far from its image's place a beam may lie where no two beams can lie as the map has them;
+double nearestHole(const Holes& beam, Vec3 p) {
+  double best = lattice::length(beam.at.front() - p);
+  for (const Vec3& hole : beam.at) {
+    best = std::min(best, lattice::length(hole - p));
+  }
+  return best;
+}
+
+//! Whether all holes but one are their own images: an odd number of them across a mirror that is half
+//! a module off the holes.
+bool isOffByOne(const Holes& beam, const PointIsometry& map) {
+  std::size_t own = 0;
+  double most = 0.0;
+  for (const Vec3& hole : beam.at) {
+    const double distance = nearestHole(beam, map.apply(hole));
+    own += distance < kSame ? 1 : 0;
+    most = std::max(most, distance);
+  }
+  return own + 1 == beam.at.size() && std::abs(most - 1.0) < kSame;
+}
+
+//! Whether a beam and its own image would be at one place, across each other.
+bool meetsItsImage(const Holes& beam, const PointIsometry& map) {
+  const Vec3 step = beam.at[1] - beam.at[0];
+  const Vec3 image = map.apply(beam.at[1]) - map.apply(beam.at[0]);
+  return lattice::length(lattice::cross(image, step)) > kSame &&
+         std::any_of(beam.at.begin(), beam.at.end(), [&](Vec3 hole) {
+           return nearestHole(beam, map.apply(hole)) < 1.0 - kSame;
+         });
+}
+
+//! Whether two beams stand for one line of the drawing, on whatever layers.
+bool areInLine(const Holes& a, const Holes& b) {
+  const Vec3 step = a.at[1] - a.at[0];
+  const Vec3 apart = b.middle - a.middle;
+  const Vec3 across = apart - lattice::dot(apart, step) * step;
+  return lattice::length(lattice::cross(step, b.at[1] - b.at[0])) < kSame &&
+         lattice::length(lattice::cross(a.flat, b.flat)) < kSame &&
+         lattice::length(across - lattice::dot(across, a.flat) * a.flat) < kSame &&
+         lattice::length(across) < kMostLayers + kSame;
+}
+
+//! By beam: how far from its image's place it may lie where no two beams can lie as the map has them;
 //! nothing where they can.
 //! \details A beam has an odd number of holes. Across a mirror that is half a module off its holes it
 //! has one more on one side: its image is its own, moved by one. And beams that meet in the mirror
-//! cannot both lie on one layer there: they pass each other.
-Vec3 giveOf(const Holes& beam, const PointIsometry& map) {
-  const auto nearest = [&](Vec3 image) {
-    double best = lattice::length(beam.at.front() - image);
-    for (const Vec3& hole : beam.at) {
-      best = std::min(best, lattice::length(hole - image));
+//! cannot both lie on one layer there: they pass each other, with all that is in line with them.
+std::vector<Vec3> givesOf(const std::vector<Holes>& beams, const PointIsometry& map) {
+  std::vector<Vec3> gives(beams.size());
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (isOffByOne(beams[i], map)) {
+      gives[i] = beams[i].at[1] - beams[i].at[0];
+    } else if (meetsItsImage(beams[i], map)) {
+      for (std::size_t k = 0; k < beams.size(); ++k) {
+        if (areInLine(beams[i], beams[k])) {
+          gives[k] = beams[k].flat;
+        }
+      }
     }
-    return best;
-  };
-  double least = nearest(map.apply(beam.at.front()));
-  double most = least;
-  for (const Vec3& hole : beam.at) {
-    const double distance = nearest(map.apply(hole));
-    least = std::min(least, distance);
-    most = std::max(most, distance);
   }
-  const Vec3 step = beam.at[1] - beam.at[0];
-  if (most < 1.0 + kSame && most > 1.0 - kSame && least < kSame) {
-    return step;  // all but one of the holes are their own images
-  }
-  const Vec3 image = map.apply(beam.at[1]) - map.apply(beam.at[0]);
-  const bool turned = lattice::length(lattice::cross(image, step)) > kSame;
-  return turned && least < 1.0 - kSame ? beam.flat : Vec3{};
+  return gives;
 }
 
 //! Beams by where their middles are.
@@ -103,8 +138,7 @@ class BeamIndex {
   }
 
   //! Whether a beam's image under a map is there, or as near as can be.
-  [[nodiscard]] bool has(const Holes& beam, const PointIsometry& map) const {
-    const Vec3 give = giveOf(beam, map);
+  [[nodiscard]] bool has(const Holes& beam, const PointIsometry& map, Vec3 give) const {
     return hasAt(beam, map, {}) || hasAt(beam, map, give) || hasAt(beam, map, -1.0 * give);
   }
 
@@ -147,12 +181,35 @@ class BeamIndex {
   std::map<Cell, std::vector<const Holes*>> cells_;
 };
 
+//! Whether beams with holes along X, Y or Z can stand for each line that a map brings onto itself.
+bool canBeObeyed(const sketch::Sketch& sketch, const PointIsometry& map) {
+  return std::all_of(sketch.lines.begin(), sketch.lines.end(), [&](const sketch::Line& line) {
+    const Vec3 from = map.apply(line.from);
+    const Vec3 to = map.apply(line.to);
+    const auto near = [](Vec3 a, Vec3 b) { return lattice::length(a - b) < kSame; };
+    if (!(near(from, line.from) && near(to, line.to)) &&
+        !(near(from, line.to) && near(to, line.from))) {
+      return true;
+    }
+    const Vec3 direction = lattice::normalized(line.to - line.from);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 axis = lattice::unitVector(lattice::axisFromIndex(i));
+      const Vec3 image = map.linear * axis;
+      if (std::abs(lattice::dot(axis, direction)) < kSame &&
+          std::abs(lattice::dot(axis, image)) > 1.0 - kSame) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
 std::vector<PointIsometry> judgedMaps(const sketch::Sketch& sketch) {
   const std::vector<PointIsometry> all = sketch::pointSymmetries(sketch::arrange(sketch), -1);
   for (const auto& wanted : {isMirror, isRotation}) {
     std::vector<PointIsometry> kept;
     std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](const PointIsometry& map) {
-      return wanted(map.linear);
+      return wanted(map.linear) && canBeObeyed(sketch, map);
     });
     if (!kept.empty()) {
       return kept;
@@ -180,10 +237,11 @@ WellBuiltItem judgeSymmetry(const WellBuiltQuery& query) {
   std::vector<int> best(beams.size() + 1);  // beams without an image, under the best map
   int full = 0;
   for (const PointIsometry& map : maps) {
+    const std::vector<Vec3> gives = givesOf(beams, map);
     std::vector<int> alone;
-    for (const Holes& beam : beams) {
-      if (!index.has(beam, map)) {
-        alone.push_back(beam.part);
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      if (!index.has(beams[i], map, gives[i])) {
+        alone.push_back(beams[i].part);
       }
     }
     full += alone.empty() ? 1 : 0;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "layout/beam.h"
 #include "sketch/point_symmetry.h"
@@ -22,6 +23,7 @@ constexpr double kAlong = 1e-6;
 
 //! A beam's line of holes.
 struct HoleLine {
+  int run = -1;
   Vec3 first;
   Vec3 last;
   Vec3 holeAxis;
@@ -40,7 +42,8 @@ std::vector<HoleLine> holeLines(const layout::LayoutProblem& problem,
       const auto at = [&](int index) {
         return layout::holePosition(problem.graph, run, cover.axis, index, beam.layer);
       };
-      lines.push_back({at(beam.start),
+      lines.push_back({static_cast<int>(r),
+                       at(beam.start),
                        at(beam.last()),
                        lattice::unitVector(cover.axis),
                        beam.holes});
@@ -60,13 +63,17 @@ bool isSame(const HoleLine& a, const HoleLine& b, Vec3 shift) {
 }
 
 HoleLine imageOf(const HoleLine& beam, const PointIsometry& map) {
-  return {map.apply(beam.first), map.apply(beam.last), beam.holeAxis, beam.holes};
+  return {beam.run, map.apply(beam.first), map.apply(beam.last), beam.holeAxis, beam.holes};
+}
+
+Vec3 stepOf(const HoleLine& beam) {
+  return (1.0 / std::max(1, beam.holes - 1)) * (beam.last - beam.first);
 }
 
 //! Whether two beams have a place in common, about.
 bool meet(const HoleLine& a, const HoleLine& b) {
-  const Vec3 stepA = (1.0 / std::max(1, a.holes - 1)) * (a.last - a.first);
-  const Vec3 stepB = (1.0 / std::max(1, b.holes - 1)) * (b.last - b.first);
+  const Vec3 stepA = stepOf(a);
+  const Vec3 stepB = stepOf(b);
   for (int i = 0; i < a.holes; ++i) {
     for (int k = 0; k < b.holes; ++k) {
       if (lattice::length(a.first + i * stepA - b.first - k * stepB) < 1.0 - kSame) {
@@ -77,15 +84,27 @@ bool meet(const HoleLine& a, const HoleLine& b) {
   return false;
 }
 
-//! How far an image may lie from where the map has it: nowhere else, or, where two beams cannot lie
-//! so, a module to either side.
-Vec3 giveOf(const HoleLine& beam, const HoleLine& image) {
-  const Vec3 along = (1.0 / std::max(1, beam.holes - 1)) * (beam.last - beam.first);
-  if (isSame(beam, image, along) || isSame(beam, image, -1.0 * along)) {
-    return along;
+//! By beam: how far its image may lie from where the map has it: nowhere else, or, where two beams
+//! cannot lie so, a module to either side, with all beams of its run.
+std::vector<Vec3> givesOf(const std::vector<HoleLine>& beams, const PointIsometry& map) {
+  std::vector<Vec3> gives(beams.size());
+  std::set<int> passing;  // runs that meet their images
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const HoleLine image = imageOf(beams[i], map);
+    const Vec3 along = stepOf(beams[i]);
+    if (isSame(beams[i], image, along) || isSame(beams[i], image, -1.0 * along)) {
+      gives[i] = along;
+    } else if (lattice::length(lattice::cross(stepOf(image), along)) > kSame &&
+               meet(beams[i], image)) {
+      passing.insert(beams[i].run);
+    }
   }
-  const Vec3 turned = lattice::cross(image.last - image.first, along);
-  return lattice::length(turned) > kSame && meet(beam, image) ? beam.holeAxis : Vec3{};
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (passing.count(beams[i].run) > 0) {
+      gives[i] = beams[i].holeAxis;
+    }
+  }
+  return gives;
 }
 
 double shareUnder(const PointIsometry& map, const std::vector<HoleLine>& beams) {
@@ -94,10 +113,11 @@ double shareUnder(const PointIsometry& map, const std::vector<HoleLine>& beams) 
   for (const HoleLine& beam : beams) {
     byPlace.emplace(key(beam.middle()), &beam);
   }
+  const std::vector<Vec3> gives = givesOf(beams, map);
   std::size_t found = 0;
-  for (const HoleLine& beam : beams) {
-    const HoleLine image = imageOf(beam, map);
-    const Vec3 give = giveOf(beam, image);
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    const HoleLine image = imageOf(beams[i], map);
+    const Vec3 give = gives[i];
     const long place = key(image.middle());
     const auto low = byPlace.lower_bound(place - 2);
     const auto high = byPlace.upper_bound(place + 2);

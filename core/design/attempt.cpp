@@ -1,8 +1,6 @@
 #include "design/attempt.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
 #include <cmath>
 #include <iterator>
 
@@ -22,9 +20,12 @@ namespace {
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
 constexpr double kManyBeams = 1.3;        // of the fewest: then a layout without mirrors is tried
 constexpr double kWorthOfSymmetry = 0.25;  // of the objective, of a whole model ...
-constexpr double kWorthOfAlikeness = 0.05;  // ... and of a part of it
+constexpr double kWorthOfAlikeness = 0.15;  // ... and of a part of it
 constexpr double kAlike = 1.0 - 1e-9;
-constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen
+constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen: more find nothing
+constexpr std::uint32_t kFreeingRounds = 9;
+// Moves times junctions of all searches, after which nothing is compared with what is whole.
+constexpr double kMostWork = 4e6;
 constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
 constexpr double kHalfBeam = 0.5;                // modules from a beam's middle line to its side
 
@@ -50,12 +51,16 @@ bool isWhole(const search::LayoutSnapshot& layout) {
   return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
 }
 
-//! What is tried, the first last: all wishes, then one mirror after the other, then to stand alone,
+//! What is tried, the first last: all wishes, then one symmetry after the other, then all but for
+//! what is loose, then to stand alone,
 //! then nothing.
 std::vector<Wishes> plansFor(Wishes all, std::size_t mirrors) {
   std::vector<Wishes> plans{Wishes{}};
   if (all.standing) {
     plans.push_back(Wishes{true, false});
+  }
+  if (all.symmetric && mirrors > 0) {
+    plans.push_back(Wishes{all.standing, true, -1, true});
   }
   if (all.symmetric && mirrors > 1) {
     for (auto i = static_cast<int>(mirrors) - 1; i >= 0; --i) {
@@ -66,6 +71,14 @@ std::vector<Wishes> plansFor(Wishes all, std::size_t mirrors) {
     plans.push_back(all);
   }
   return plans;
+}
+
+//! Whether one search takes about all the work that there may be.
+bool isLarge(const layout::LayoutProblem& problem, const search::AnnealingOptions& options) {
+  constexpr double kRounds = 2.5;
+  const double moves = options.minIterations + static_cast<double>(options.iterationsPerRun) *
+                                                   static_cast<double>(problem.graph.runs.size());
+  return kRounds * moves * static_cast<double>(problem.graph.junctions.size()) > 0.5 * kMostWork;
 }
 
 }  // namespace
@@ -144,10 +157,12 @@ void Attempts::begin(Wishes wishes, bool last) {
     options.looseRuns = [mobility] { return mobility->looseRuns(); };
   }
   options.buildable = makeBuildable(attempt.problem, table_, *sketch_);
-  // What stays loose as it is may be stiff with fewer mirrors: that is tried next.
-  options.stiffening.frees = false;
-  if (wishes.symmetric) {
-    options.stiffening.rounds = std::min(options.stiffening.rounds, kSymmetricRounds);
+  // Where another search would take too long, this one gives up in itself what keeps it loose.
+  const bool alone = wishes.symmetric && isLarge(attempt.problem, options);
+  options.stiffening.frees = alone || wishes.mostly;
+  if (wishes.symmetric && !alone) {
+    options.stiffening.rounds =
+        std::min(options.stiffening.rounds, wishes.mostly ? kFreeingRounds : kSymmetricRounds);
   }
   options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
   attempt.search =
@@ -173,7 +188,7 @@ bool Attempts::isGoodEnough(const Attempt& attempt) const {
     return true;
   }
   const int bound = search::coverLowerBound(coversInUse(attempt.problem, *settings_));
-  return layout.freedoms == 0 && attempt.alike &&
+  return layout.freedoms == 0 && (attempt.alike || attempt.wishes.mostly) &&
          static_cast<double>(layout.tallies.beams + layout.tallies.axles) <=
              kManyBeams * static_cast<double>(bound);
 }
@@ -191,12 +206,6 @@ bool Attempts::advance(std::uint32_t iterations) {
 //! After a search has ended: whether there is an answer, or what comes next.
 void Attempts::goOn() {
   judge(current_.get());
-  if (getenv("LIFTDBG")) {
-    const auto& b = current_->search->best();
-    fprintf(stderr, "attempt stand=%d sym=%d/%d whole=%d viol=%d free=%d beams=%d axles=%d energy=%.2f value=%.2f alike=%d bound=%d iters=%lu\n",
-      current_->wishes.standing, current_->wishes.symmetric, current_->wishes.only, isWhole(b), b.tallies.violations(), b.freedoms, b.tallies.beams, b.tallies.axles, b.energy, current_->value, current_->alike,
-      search::coverLowerBound(coversInUse(current_->problem, *settings_)), current_->search->iterations());
-  }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
   const auto rank = [](const Attempt& attempt) {
@@ -208,7 +217,9 @@ void Attempts::goOn() {
     best_ = std::move(current_);
     dropNeedlessPlans();
   }
-  done_ = plans_.empty() || (best_ != nullptr && isGoodEnough(*best_));
+  const double work = static_cast<double>(iterationsBefore_) *
+                      static_cast<double>(problem().graph.junctions.size());
+  done_ = plans_.empty() || (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork));
   if (done_) {
     return;
   }

@@ -18,6 +18,7 @@ struct Wishes {
   bool standing = false;   //!< nothing below the lowest drawn plane (DESIGN 5b.2)
   bool symmetric = false;  //!< the drawing's own symmetries are kept (design/alikeness.h)
   int only = -1;           //!< the one of these that is kept; negative: all
+  bool mostly = false;     //!< what stays loose as it is need not be symmetric
 };
 
 //! \brief The sketch with what is wished for written into it: its ground half a module below its
@@ -28,8 +29,8 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 //! with fewer, until a layout is whole.
 //! \details Two mirrors at once leave few layouts: where the best of these is loose, or takes many more
 //! beams than are needed (bent beams across a mirror and frames obey none), it is compared with
-//! those that keep one mirror, and with one that keeps none; being symmetric is worth a part of the
-//! objective.
+//! those that keep one mirror, with one that is symmetric but for what would be loose, and with one
+//! that keeps none; being symmetric is worth a part of the objective.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.

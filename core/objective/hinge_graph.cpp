@@ -212,46 +212,87 @@ void HingeGraph::spanTree(const std::vector<Edge>& edges) {
   }
 }
 
-//! Rank of the six conditions about each loop, by elimination with row pivots.
-int HingeGraph::rankOfLoops(const std::vector<Edge>& edges) {
-  const std::size_t columns = edges.size();
-  Vec3 middle;
-  for (const Edge& edge : edges) {
-    middle = middle + (1.0 / static_cast<double>(columns)) * lines_[at(edge.line)].second;
+//! The six conditions about the loop that an edge closes over the tree's edges, when that edge has been
+//! eliminated from them: what is left of them in rows_. \pre The edge is none of the tree's.
+void HingeGraph::addLoop(const std::vector<Edge>& edges, int closing) {
+  const std::size_t columns = treeColumns_;
+  const std::size_t base = rows_.size();
+  rows_.resize(base + 6 * columns, 0.0);
+  const Edge& edge = edges[at(closing)];
+  int a = edge.a;
+  int b = edge.b;
+  while (a != b) {
+    int& deeper = depth_[at(a)] >= depth_[at(b)] ? a : b;
+    const int tree = treeEdge_[at(deeper)];
+    const double way = (&deeper == &a) == (tree > 0) ? 1.0 : -1.0;
+    const Screw& screw = screws_[at(std::abs(tree) - 1)];
+    for (std::size_t k = 0; k < 6; ++k) {
+      rows_[base + k * columns + at(columnOf_[at(std::abs(tree) - 1)])] = way * screw[k];
+    }
+    deeper = treeParent_[at(deeper)];
   }
-  std::vector<std::array<double, 6>> screws;
-  for (const Edge& edge : edges) {
-    const auto& [axis, through] = lines_[at(edge.line)];
-    const Vec3 direction = lattice::unitVector(axis);
-    const Vec3 moment = lattice::cross(through - middle, direction);
-    screws.push_back({direction.x, direction.y, direction.z, moment.x, moment.y, moment.z});
+  const Screw& own = screws_[at(closing)];
+  std::size_t pivot = 0;
+  for (std::size_t k = 1; k < 6; ++k) {
+    pivot = std::abs(own[k]) > std::abs(own[pivot]) ? k : pivot;
   }
-  rows_.clear();
-  std::size_t rows = 0;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    if (inTree_[e] != 0) {
+  std::array<std::size_t, 6> order{};
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (k == pivot) {
       continue;
     }
-    const std::size_t base = rows_.size();
-    rows_.resize(base + 6 * columns, 0.0);
-    rows += 6;
-    const auto put = [&](std::size_t edge, double sign) {
-      for (std::size_t k = 0; k < 6; ++k) {
-        rows_[base + k * columns + edge] = sign * screws[edge][k];
-      }
-    };
-    put(e, 1.0);
-    int a = edges[e].a;
-    int b = edges[e].b;
-    while (a != b) {
-      int& deeper = depth_[at(a)] >= depth_[at(b)] ? a : b;
-      const int tree = treeEdge_[at(deeper)];
-      const double way = (&deeper == &a) ? 1.0 : -1.0;
-      put(at(std::abs(tree) - 1), tree > 0 ? way : -way);
-      deeper = treeParent_[at(deeper)];
+    const double factor = own[k] / own[pivot];
+    const double* lead = rows_.data() + base + pivot * columns;
+    double* row = rows_.data() + base + k * columns;
+    bool empty = true;
+    for (std::size_t c = 0; c < columns; ++c) {
+      row[c] -= factor * lead[c];
+      empty = empty && std::abs(row[c]) < kZero;
+    }
+    order[kept] = k;
+    kept += empty ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < kept; ++i) {
+    if (order[i] != i) {
+      const double* row = rows_.data() + base + order[i] * columns;
+      std::copy_n(row, columns, rows_.data() + base + i * columns);
     }
   }
+  rows_.resize(base + kept * columns);
+}
+
+//! Rank of the conditions about all loops, by elimination with row pivots: an edge that closes a loop
+//! stands in that one alone, so one condition of each goes at once.
+int HingeGraph::rankOfLoops(const std::vector<Edge>& edges) {
+  Vec3 middle;
+  for (const Edge& edge : edges) {
+    middle = middle + (1.0 / static_cast<double>(edges.size())) * lines_[at(edge.line)].second;
+  }
+  screws_.clear();
+  columnOf_.assign(edges.size(), -1);
+  treeColumns_ = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& [axis, through] = lines_[at(edges[e].line)];
+    const Vec3 direction = lattice::unitVector(axis);
+    const Vec3 moment = lattice::cross(through - middle, direction);
+    screws_.push_back({direction.x, direction.y, direction.z, moment.x, moment.y, moment.z});
+    columnOf_[e] = inTree_[e] != 0 ? static_cast<int>(treeColumns_++) : -1;
+  }
+  rows_.clear();
   int rank = 0;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (inTree_[e] == 0) {
+      addLoop(edges, static_cast<int>(e));
+      ++rank;
+    }
+  }
+  return rank + rankOfRows();
+}
+
+int HingeGraph::rankOfRows() {
+  const std::size_t columns = treeColumns_;
+  const std::size_t rows = columns == 0 ? 0 : rows_.size() / columns;
   std::size_t top = 0;
   for (std::size_t c = 0; c < columns && top < rows; ++c) {
     std::size_t pivot = top;
@@ -279,9 +320,8 @@ int HingeGraph::rankOfLoops(const std::vector<Edge>& edges) {
       }
     }
     ++top;
-    ++rank;
   }
-  return rank;
+  return static_cast<int>(top);
 }
 
 int HingeGraph::loopFreedoms() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -43,6 +44,8 @@ class HingeGraph {
   [[nodiscard]] int bodies() const { return static_cast<int>(parents_.size()); }
 
  private:
+  using Screw = std::array<double, 6>;  // a line's direction and its moment about a point
+
   struct Hinge {
     int line = -1;
     std::vector<int> bodies;
@@ -60,7 +63,9 @@ class HingeGraph {
   void markHolder(const Hinge& hinge);
   [[nodiscard]] int loopFreedoms();
   void spanTree(const std::vector<Edge>& edges);
+  void addLoop(const std::vector<Edge>& edges, int closing);
   [[nodiscard]] int rankOfLoops(const std::vector<Edge>& edges);
+  [[nodiscard]] int rankOfRows();
 
   std::vector<std::int32_t> parents_;
   std::vector<std::uint8_t> counts_;
@@ -74,6 +79,9 @@ class HingeGraph {
   std::vector<std::int32_t> treeParent_;
   std::vector<std::int32_t> depth_;
   std::vector<std::uint8_t> inTree_;  // by edge
+  std::vector<Screw> screws_;         // by edge
+  std::vector<int> columnOf_;         // by edge: -1 for those that close loops
+  std::size_t treeColumns_ = 0;
   std::vector<double> rows_;
 };
 

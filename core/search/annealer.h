@@ -50,7 +50,7 @@ struct StiffeningOptions {
   double weight = 1.0;      //!< of a freedom: 1 is half a beam at first, two beams at last
   bool otherStarts = true;  //!< whether other hole axes are tried where one start stays loose
   bool polish = false;      //!< one round even where nothing is loose: it takes parts out
-  bool frees = false;  //!< whether symmetry is given up after some rounds for the sake of stiffness
+  bool frees = false;       //!< whether what stays loose need not be symmetric after some rounds
 };
 
 struct AnnealingOptions {
@@ -162,6 +162,7 @@ class Annealer final : public LayoutSearch {
   void keepBest();
   void layAgain();
   void goOnStiffening();
+  void releaseLooseRuns();
   void beginStiffening();
   void startAgain();
   void offerAgain();

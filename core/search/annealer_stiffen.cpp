@@ -36,8 +36,8 @@ void Annealer::goOnStiffening() {
     return;
   }
   if (isWhole(again_ ? bestAgain_ : best_) && stiffRounds_ < options_.stiffening.roundsPerStart) {
-    if (stiffRounds_ == kSymmetricRounds && options_.stiffening.frees) {
-      orbits_.releaseAll();  // rather stiff than symmetric in every beam
+    if (stiffRounds_ >= kSymmetricRounds && options_.stiffening.frees) {
+      releaseLooseRuns();
     }
     beginStiffening();
     if (best_.freedoms == 0 && (!options_.stiffening.polish || allStiffRounds_ > 1)) {
@@ -49,6 +49,19 @@ void Annealer::goOnStiffening() {
     beginRound();
   } else {
     startAgain();
+  }
+}
+
+//! Rather stiff than symmetric in every beam: what moves need not be as the symmetries have it.
+void Annealer::releaseLooseRuns() {
+  const LayoutSnapshot& best = again_ ? bestAgain_ : best_;
+  if (!orbits_.active() || options_.freedoms(best) == 0) {
+    return;
+  }
+  for (const int run : options_.looseRuns()) {
+    if (orbits_.binds(run)) {
+      orbits_.release(run);
+    }
   }
 }
 
