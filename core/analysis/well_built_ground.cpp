@@ -16,18 +16,20 @@ using lattice::Vec3;
 
 constexpr double kInPlane = 1e-3;    // modules
 constexpr double kWellInside = 0.5;  // modules: a beam's half width decides below it
-// Modules: a beam on its side is rounded, and so half a millimetre less high than one that lies flat
-// or a connector. Nobody builds one foot higher for that.
+// Modules: a beam on its side is rounded, and so half a millimetre less high than one that lies
+// flat or a connector. Nobody builds one foot higher for that.
 constexpr double kEven = 0.06;
 
 bool touches(double z, double plane) {
   return std::abs(z - plane) < kInPlane;
 }
 
-//! What lies in the lowest plane of some lines, and whether their own centre is above it.
+//! What lies in the lowest plane of some lines, and whether their own centre is above it. What lies
+//! flat has no feet: beams that pass each other lie on each other there.
 struct Base {
   double plane = 1e9;
-  bool flat = false;  // a line lies in it
+  bool flat = false;   // a line lies in it
+  bool rises = false;  // something is drawn above it
   bool stands = false;
   std::vector<GroundPoint> corners;
 };
@@ -63,6 +65,8 @@ Base baseOf(const std::vector<const sketch::Line*>& lines) {
       if (touches(end.z, base.plane)) {
         points.push_back({end.x, end.y});
         ++ends;
+      } else {
+        base.rises = true;
       }
     }
     base.flat = base.flat || ends == 2;
@@ -146,7 +150,7 @@ class GroundJudge {
   void findFeet() {
     for (const Base& base : bases_) {
       for (const GroundPoint corner : base.corners) {
-        if (touches(base.plane, plane_)) {
+        if (touches(base.plane, plane_) && base.rises) {
           feet_.push_back({{corner.x, corner.y, plane_}, {}, 1e9});
         }
       }

@@ -17,7 +17,7 @@ using lattice::Mat3;
 using lattice::Vec3;
 using sketch::PointIsometry;
 
-constexpr double kSame = 0.06;      // modules; snapping may leave most of it
+constexpr double kSame = 0.06;       // modules; snapping may leave most of it
 constexpr double kMostLayers = 4.0;  // between beams that stand for one line
 
 double determinant(const Mat3& a) {
@@ -73,8 +73,8 @@ double nearestHole(const Holes& beam, Vec3 p) {
   return best;
 }
 
-//! Whether all holes but one are their own images: an odd number of them across a mirror that is half
-//! a module off the holes.
+//! Whether all holes but one are their own images: an odd number of them across a mirror that is
+//! half a module off the holes.
 bool isOffByOne(const Holes& beam, const PointIsometry& map) {
   std::size_t own = 0;
   double most = 0.0;
@@ -107,11 +107,11 @@ bool areInLine(const Holes& a, const Holes& b) {
          lattice::length(across) < kMostLayers + kSame;
 }
 
-//! By beam: how far from its image's place it may lie where no two beams can lie as the map has them;
-//! nothing where they can.
-//! \details A beam has an odd number of holes. Across a mirror that is half a module off its holes it
-//! has one more on one side: its image is its own, moved by one. And beams that meet in the mirror
-//! cannot both lie on one layer there: they pass each other, with all that is in line with them.
+//! By beam: how far from its image's place it may lie where no two beams can lie as the map has
+//! them; nothing where they can. \details A beam has an odd number of holes. Across a mirror that
+//! is half a module off its holes it has one more on one side: its image is its own, moved by one.
+//! And beams that meet in the mirror cannot both lie on one layer there: they pass each other, with
+//! all that is in line with them.
 std::vector<Vec3> givesOf(const std::vector<Holes>& beams, const PointIsometry& map) {
   std::vector<Vec3> gives(beams.size());
   for (std::size_t i = 0; i < beams.size(); ++i) {

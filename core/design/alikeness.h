@@ -15,11 +15,10 @@ namespace liftarm::design {
 std::vector<sketch::Symmetry> wishedSymmetries(const sketch::Sketch& sketch);
 
 //! \brief The share of a layout's beams whose image under a symmetry is there, 0 to 1: the largest
-//! over the symmetries; 1 where there are none. \details What no parts can do counts as there: a beam
-//! that crosses a mirror with its holes half a module off it may stick out on one side, and beams
-//! that meet their image may pass it on the next layer (docs/well-built.md, where the finished model
-//! is judged by other code).
-//! \pre No symmetry is a translation.
+//! over the symmetries; 1 where there are none. \details What no parts can do counts as there: a
+//! beam that crosses a mirror with its holes half a module off it may stick out on one side, and
+//! beams that meet their image may pass it on the next layer (docs/well-built.md, where the
+//! finished model is judged by other code). \pre No symmetry is a translation.
 double alikeness(const layout::LayoutProblem& problem,
                  const search::LayoutSnapshot& layout,
                  const std::vector<sketch::Symmetry>& symmetries);

@@ -18,8 +18,8 @@ namespace liftarm::design {
 namespace {
 
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
-constexpr double kManyBeams = 1.3;        // of the fewest: then a layout without mirrors is tried
-constexpr double kWorthOfSymmetry = 0.25;  // of the objective, of a whole model ...
+constexpr double kManyBeams = 1.3;          // of the fewest: then a layout without mirrors is tried
+constexpr double kWorthOfSymmetry = 0.25;   // of the objective, of a whole model ...
 constexpr double kWorthOfAlikeness = 0.15;  // ... and of a part of it
 constexpr double kAlike = 1.0 - 1e-9;
 constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen: more find nothing
@@ -211,8 +211,7 @@ void Attempts::goOn() {
   const auto rank = [](const Attempt& attempt) {
     return std::pair(attempt.search->best().freedoms, attempt.value);
   };
-  if (isWhole(current_->search->best()) &&
-      (best_ == nullptr || rank(*current_) < rank(*best_))) {
+  if (isWhole(current_->search->best()) && (best_ == nullptr || rank(*current_) < rank(*best_))) {
     improvementsBefore_ += best_ == nullptr ? 0 : 1;
     best_ = std::move(current_);
     dropNeedlessPlans();

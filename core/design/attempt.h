@@ -27,10 +27,10 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 
 //! \brief The searches for one sketch, one after the other: with every wish of the settings, then
 //! with fewer, until a layout is whole.
-//! \details Two mirrors at once leave few layouts: where the best of these is loose, or takes many more
-//! beams than are needed (bent beams across a mirror and frames obey none), it is compared with
-//! those that keep one mirror, with one that is symmetric but for what would be loose, and with one
-//! that keeps none; being symmetric is worth a part of the objective.
+//! \details Two mirrors at once leave few layouts: where the best of these is loose, or takes many
+//! more beams than are needed (bent beams across a mirror and frames obey none), it is compared
+//! with those that keep one mirror, with one that is symmetric but for what would be loose, and
+//! with one that keeps none; being symmetric is worth a part of the objective.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.

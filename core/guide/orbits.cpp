@@ -97,8 +97,8 @@ bool touchFirmly(const GuidingGraph& graph, int a, int b) {
   return false;
 }
 
-//! A cover that reads the same from both ends has a beam across the middle: none but the shortest and
-//! those of two thin halves have an even number of holes. A builder lets one end stick out.
+//! A cover that reads the same from both ends has a beam across the middle: none but the shortest
+//! and those of two thin halves have an even number of holes. A builder lets one end stick out.
 bool hasNoMiddle(const GuideRun& run) {
   return run.nodes.size() > 2 && run.nodes.size() % 2 == 0;
 }
@@ -119,8 +119,8 @@ void Orbits::crossOver(const GuidingGraph& graph, Generator* generator) {
   for (std::size_t r = 0; r < graph.runs.size(); ++r) {
     RunImage& there = generator->forward[r];
     const int run = static_cast<int>(r);
-    if (there.run <= run || graph.runs[r].exact ||
-        generator->forward[at(there.run)].run != run || !touchFirmly(graph, run, there.run)) {
+    if (there.run <= run || graph.runs[r].exact || generator->forward[at(there.run)].run != run ||
+        !touchFirmly(graph, run, there.run)) {
       continue;
     }
     RunImage& back = generator->forward[at(there.run)];

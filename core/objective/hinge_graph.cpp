@@ -212,8 +212,8 @@ void HingeGraph::spanTree(const std::vector<Edge>& edges) {
   }
 }
 
-//! The six conditions about the loop that an edge closes over the tree's edges, when that edge has been
-//! eliminated from them: what is left of them in rows_. \pre The edge is none of the tree's.
+//! The six conditions about the loop that an edge closes over the tree's edges, when that edge has
+//! been eliminated from them: what is left of them in rows_. \pre The edge is none of the tree's.
 void HingeGraph::addLoop(const std::vector<Edge>& edges, int closing) {
   const std::size_t columns = treeColumns_;
   const std::size_t base = rows_.size();
@@ -262,8 +262,8 @@ void HingeGraph::addLoop(const std::vector<Edge>& edges, int closing) {
   rows_.resize(base + kept * columns);
 }
 
-//! Rank of the conditions about all loops, by elimination with row pivots: an edge that closes a loop
-//! stands in that one alone, so one condition of each goes at once.
+//! Rank of the conditions about all loops, by elimination with row pivots: an edge that closes a
+//! loop stands in that one alone, so one condition of each goes at once.
 int HingeGraph::rankOfLoops(const std::vector<Edge>& edges) {
   Vec3 middle;
   for (const Edge& edge : edges) {

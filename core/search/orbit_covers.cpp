@@ -14,7 +14,7 @@ using layout::Cover;
 
 constexpr double kPickCheapest = 0.75;  // share of middle beams that leave the fewest others
 constexpr std::array<int, 3> kNoLifts{};
-constexpr double kPickLine = 0.5;       // share of middle beams on the line itself
+constexpr double kPickLine = 0.5;  // share of middle beams on the line itself
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -191,8 +191,7 @@ std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
   place(layout, run, {axis, {}});
   const guide::SelfBinding binding = orbits_.binding(run, axis);
   const int reach = coverer->reach();
-  const int near =
-      binding.pinned ? 0 : std::min(reach, guide::kMaxLayer - farthestLift(run, axis));
+  const int near = binding.pinned ? 0 : std::min(reach, guide::kMaxLayer - farthestLift(run, axis));
   coverer->setReach(near);
   std::optional<Cover> cover;
   if (!binding.centred) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/helpers/models.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 using lattice::Vec3;
 using model::Model;
+using nlohmann::json;
 using testing::beamAt;
 using testing::pinAt;
 
@@ -205,7 +207,30 @@ TEST(WellBuiltStands, SquareOnTheFloorStands) {
   const WellBuiltItem item = itemOf(testing::squareFrame(), "stands");
   EXPECT_TRUE(item.applies);
   EXPECT_TRUE(item.ok) << item.detail;
+  EXPECT_EQ(figureOf(item, "feet"), 0);  // it lies on them
+}
+
+//! A square on the floor with a post on one corner, drawn and built.
+Model squareWithPost() {
+  Model model = squareWith(beamAt("32524", {0, 0, 4}, kZ, kY));
+  const json post{{"from", {0, 0, 0}}, {"to", {0, 0, 6}}};
+  json sketch = json::parse(model.sketchJson);
+  sketch["lines"].push_back(post);
+  model.sketchJson = sketch.dump();
+  return model;
+}
+
+TEST(WellBuiltStands, DrawingThatRisesHasFeetAtTheCornersOfItsBase) {
+  const WellBuiltItem item = itemOf(squareWithPost(), "stands");
   EXPECT_EQ(figureOf(item, "feet"), 4);
+}
+
+TEST(WellBuiltStands, HalfAMillimetreIsLevel) {
+  Model model = testing::squareFrame();
+  model.parts.push_back(beamAt("32524", {4, 4, -0.05}, kX, kZ));
+  EXPECT_EQ(figure(model, "stands", "belowBase"), 0);
+  model.parts.back().pose.position.z = -0.1;
+  EXPECT_EQ(figure(model, "stands", "belowBase"), 1);
 }
 
 TEST(WellBuiltStands, PinBelowTheBaseIsFound) {
@@ -216,7 +241,7 @@ TEST(WellBuiltStands, PinBelowTheBaseIsFound) {
 }
 
 TEST(WellBuiltStands, LoweredFootLeavesTheOthersInTheAir) {
-  Model model = testing::squareFrame();
+  Model model = squareWithPost();
   model.parts[0] = beamAt("40490", {4, 0, -2}, kX, kZ);
   const WellBuiltItem item = itemOf(model, "stands");
   EXPECT_EQ(figureOf(item, "liftedFeet"), 2);
@@ -277,7 +302,7 @@ TEST(WellBuiltFaithful, OverhangSticksOut) {
 TEST(WellBuiltSymmetric, SquareFrameHasItsMirrors) {
   const WellBuiltItem item = itemOf(testing::squareFrame(), "symmetric");
   EXPECT_EQ(figureOf(item, "mirroredBeams"), 4);
-  EXPECT_EQ(figureOf(item, "symmetriesKept"), 2);  // not those along the diagonals
+  EXPECT_EQ(figureOf(item, "symmetriesKept"), 4);  // beams that meet in a diagonal pass each other
   EXPECT_TRUE(item.ok);
 }
 
@@ -288,6 +313,39 @@ TEST(WellBuiltSymmetric, ShiftedBeamHasNoImage) {
   EXPECT_EQ(figureOf(item, "mirroredBeams"), 3);
   EXPECT_TRUE(lights(item, "lopsided", 3));
   EXPECT_FALSE(item.ok);
+}
+
+//! Two rafters of five holes whose ends meet at the top, the right one on another layer.
+Model raftersOnLayers(double left, double right) {
+  Model model;
+  model.sketchJson = testing::sketchOf({{{-4, 0, 0}, {0, 0, 3}}, {{4, 0, 0}, {0, 0, 3}}});
+  model.parts = {beamAt("32525", {-2, left, 1.5}, {0.8, 0, 0.6}, kY),
+                 beamAt("32525", {2, right, 1.5}, {-0.8, 0, 0.6}, kY)};
+  return model;
+}
+
+TEST(WellBuiltSymmetric, RaftersPassEachOtherOnTheNextLayer) {
+  EXPECT_EQ(figure(raftersOnLayers(0, 1), "symmetric", "mirroredBeams"), 2);
+  EXPECT_EQ(figure(raftersOnLayers(0, 2), "symmetric", "mirroredBeams"), 0);
+}
+
+TEST(WellBuiltSymmetric, BeamOnALineOfEvenHolesHasOneMoreOnOneSide) {
+  Model model;
+  model.sketchJson =
+      testing::sketchOf({{{0, 0, 0}, {5, 0, 0}}, {{0, 0, 0}, {0, 0, 4}}, {{5, 0, 0}, {5, 0, 4}}});
+  model.parts = {beamAt("32524", {3, 0, 0}, kX, kY)};  // holes 0 to 6
+  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 1);
+  model.parts[0].pose.position.x = 4;
+  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 0);
+}
+
+TEST(WellBuiltSymmetric, MirrorThatTurnsTheHolesOfALineInItAsksForNothing) {
+  // Y and Z change places; holes of a beam along X point along one of them.
+  Model model;
+  model.sketchJson =
+      testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{0, 0, 0}, {0, 4, 0}}, {{0, 0, 0}, {0, 0, 4}}});
+  model.parts = {beamAt("40490", {4, 0, 0}, kX, kZ)};
+  EXPECT_FALSE(itemOf(model, "symmetric").applies);
 }
 
 TEST(WellBuiltSymmetric, LopsidedDrawingAsksForNothing) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/helpers/sketches.h"
+#include "design/alikeness.h"
 #include "design/design_session.h"
 #include "design/model_builder.h"
 #include "model/model_json.h"
@@ -119,6 +120,71 @@ TEST(Attempts, GivesAWishUpWhereNoLayoutGrantsIt) {
   while (!attempts.advance(1000)) {
   }
   EXPECT_EQ(attempts.search().best().tallies.violations(), 0);
+}
+
+//! The share of beams whose image is there, as the model wing judges the real parts.
+double mirroredShare(const Attempts& attempts, const sketch::Sketch& sketch) {
+  const model::Model model = buildModel(attempts.problem(),
+                                        attempts.table(),
+                                        attempts.search().best(),
+                                        "test",
+                                        sketch::writeSketch(sketch));
+  const json report = json::parse(checkModelJson(model::writeModel(model)).value());
+  for (const json& item : report["wellBuilt"]["items"]) {
+    if (item["id"] == "symmetric") {
+      return item["figures"]["mirroredBeams"].get<double>() /
+             item["figures"]["beams"].get<double>();
+    }
+  }
+  return -1.0;
+}
+
+TEST(Alikeness, OfALayoutIsNeverMoreThanThatOfItsModel) {
+  for (const sketch::Sketch& sketch : {testing::squareSketch(7),
+                                       testing::squareSketch(8),
+                                       testing::cubeSketch(6),
+                                       testing::cubeSketch(9),
+                                       testing::teeSketch(),
+                                       testing::houseSketch()}) {
+    for (const int seed : {1, 2, 3}) {
+      const Settings settings = settingsFrom(R"({"seed": )" + std::to_string(seed) + "}");
+      Attempts attempts(sketch, settings);
+      while (!attempts.advance(1000)) {
+      }
+      const double layout =
+          alikeness(attempts.problem(), attempts.search().best(), wishedSymmetries(sketch));
+      EXPECT_LE(layout, mirroredShare(attempts, sketch) + 1e-9) << sketch.lines.size() << " lines";
+    }
+  }
+}
+
+TEST(Alikeness, OfAHouseIsWholeWhateverItsRaftersDo) {
+  const sketch::Sketch sketch = testing::houseSketch();
+  const Settings settings = settingsFrom("");
+  Attempts attempts(sketch, settings);
+  while (!attempts.advance(1000)) {
+  }
+  EXPECT_EQ(alikeness(attempts.problem(), attempts.search().best(), wishedSymmetries(sketch)), 1.0);
+}
+
+TEST(WishedSymmetries, AreMirrorsOfTheSidesBeforeAnyOther) {
+  const std::vector<sketch::Symmetry> ofCube = wishedSymmetries(testing::cubeSketch(6));
+  ASSERT_EQ(ofCube.size(), 2U);
+  for (const sketch::Symmetry& symmetry : ofCube) {
+    EXPECT_EQ(symmetry.kind, sketch::Symmetry::Kind::kReflection);
+    EXPECT_EQ(symmetry.normal.z, 0.0);
+  }
+}
+
+TEST(WishedSymmetries, AreHalfTurnsWhereThereIsNoMirror) {
+  sketch::Sketch s = testing::squareSketch(8);  // a Z of three of its lines, stretched
+  s.lines.resize(3);
+  s.lines[0] = {{0, 0, 0}, {6, 0, 0}, 6, false, {}};
+  s.lines[1] = {{6, 0, 0}, {6, 8, 0}, 8, false, {}};
+  s.lines[2] = {{6, 8, 0}, {12, 8, 0}, 6, false, {}};
+  const std::vector<sketch::Symmetry> symmetries = wishedSymmetries(s);
+  ASSERT_EQ(symmetries.size(), 1U);
+  EXPECT_EQ(symmetries[0].kind, sketch::Symmetry::Kind::kRotation);
 }
 
 TEST(Attempts, NeverGoBackInWhatTheyTellOfTheirProgress) {

@@ -1,6 +1,7 @@
 #include "guide/orbits.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -87,17 +88,55 @@ TEST(Orbits, LeaveOutAShiftThatContradictsAMirror) {
   }
 }
 
-TEST(Orbits, FreeRaftersThatWouldMeetOnOneLayer) {
+TEST(Orbits, LetRaftersPassEachOtherOnNeighbouringLayers) {
   sketch::Sketch sketch = testing::houseSketch();
   sketch.symmetries.push_back(mirrorAcross(0, 4.0));
   const GuidingGraph graph = testing::graphOf(sketch);
   const Orbits orbits(graph);
+  int rafters = 0;
   for (int run = 0; run < static_cast<int>(graph.runs.size()); ++run) {
     const GuideRun& guideRun = graph.runs[static_cast<std::size_t>(run)];
-    const bool ridge = graph.nodes[static_cast<std::size_t>(guideRun.nodes.front())].z > 8.5 &&
-                       graph.nodes[static_cast<std::size_t>(guideRun.nodes.back())].z > 8.5;
-    EXPECT_EQ(orbits.images(run).empty(), !guideRun.principal) << run << (ridge ? " ridge" : "");
+    ASSERT_FALSE(orbits.images(run).empty()) << run;
+    if (guideRun.principal) {
+      continue;
+    }
+    ++rafters;
+    const auto axis = static_cast<std::size_t>(lattice::index(guideRun.axes.front()));
+    const RunImage& there = orbits.images(run).front();
+    const RunImage& back = orbits.images(there.run).front();
+    EXPECT_EQ(std::abs(there.lifts[axis]), 1) << run;
+    EXPECT_EQ(back.run, run);
+    EXPECT_EQ(back.layerOf(there.layerOf(2, axis), axis), 2) << run;
   }
+  EXPECT_EQ(rafters, 4);
+}
+
+TEST(Orbits, KeepTheImagesOfALineThatHasNoHoleInItsMiddle) {
+  sketch::Sketch sketch = testing::squareSketch(7);
+  sketch.symmetries = {mirrorAcross(0, 3.5), mirrorAcross(1, 3.5)};
+  const GuidingGraph graph = testing::graphOf(sketch);
+  const Orbits orbits(graph);
+  for (int run = 0; run < static_cast<int>(graph.runs.size()); ++run) {
+    ASSERT_EQ(orbits.images(run).size(), 1U) << run;
+    EXPECT_NE(orbits.images(run).front().run, run);
+    EXPECT_FALSE(orbits.binding(run, graph.runs[static_cast<std::size_t>(run)].axes[0]).centred);
+  }
+}
+
+TEST(Orbits, OfAHalfTurnAreItsOppositeLines) {
+  sketch::Sketch sketch = testing::squareSketch(8);
+  sketch::Symmetry turn;
+  turn.kind = sketch::Symmetry::Kind::kRotation;
+  turn.normal = {0, 0, 1};
+  turn.vector = {4, 4, 0};
+  sketch.symmetries = {turn};
+  const Orbits orbits(testing::graphOf(sketch));
+  std::vector<int> first;
+  for (int run = 0; run < 4; ++run) {
+    first.push_back(orbits.representative(run));
+  }
+  std::sort(first.begin(), first.end());
+  EXPECT_EQ(std::unique(first.begin(), first.end()) - first.begin(), 2);
 }
 
 TEST(Orbits, FreedRunsHaveNoImagesAndBindNothing) {

@@ -35,7 +35,7 @@ describe('the brick set', () => {
   it('leaves out the beams and connectors that are off', () => {
     expect(brickSetSettings(new Set(['32278', '6558']))).toEqual({
       lengths: '2,3,5,6,7,9,11,13',
-      connectors: '2780,87082,48989,55615,15462,3713,18654,15100',
+      connectors: '2780,87082,48989,55615,15462,3713,18654,15100,44809',
     });
   });
 
@@ -52,7 +52,7 @@ describe('the brick set', () => {
   it('leaves out an axle that joins stacks as well from both', () => {
     expect(brickSetSettings(new Set(['15462']))).toEqual({
       axles: '4519,24316,3705,87083,32073,3706,44294,3707,55013,60485,3737,23948,3708',
-      connectors: '2780,6558,87082,48989,55615,3713,18654,15100',
+      connectors: '2780,6558,87082,48989,55615,3713,18654,15100,44809',
     });
   });
 

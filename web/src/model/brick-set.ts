@@ -33,6 +33,7 @@ const CONNECTORS: readonly string[] = [
   '3713',
   '18654',
   '15100',
+  '44809',
 ];
 
 /** Axles that cover lines, by length; 15462 joins stacks as well. */
