@@ -485,9 +485,10 @@ class Coverage:
         """Pieces of the sketch with assemblies that cover all of what is covered of them, as many as possible."""
         options = {}
         for piece in set(self.piece_of_line):
-            covered = [{self.assembly.get(c[0]) for c in e.covers} for e in self.edges
-                       if self.piece_of_line[e.line] == piece and e.covers]
-            options[piece] = sorted(set.intersection(*covered) - {None}) if covered else []
+            covered = [{self.assembly.get(c[0]) for c in e.covers} - {None} for e in self.edges
+                       if self.piece_of_line[e.line] == piece]
+            covered = [assemblies for assemblies in covered if assemblies]
+            options[piece] = sorted(set.intersection(*covered)) if covered else []
         owner = {}
 
         def give(piece, seen):
@@ -504,9 +505,11 @@ class Coverage:
         return owner
 
     def keep_own(self):
+        """A piece that has its assembly is covered by nothing else."""
+        own = {piece: assembly for assembly, piece in self.taken.items()}
         for edge in self.edges:
             piece = self.piece_of_line[edge.line]
-            edge.covers = [c for c in edge.covers if self.taken.get(self.assembly.get(c[0]), piece) == piece]
+            edge.covers = [c for c in edge.covers if piece not in own or self.assembly.get(c[0]) == own[piece]]
 
     def match_modules(self):
         """Each module of a beam stands for one edge: edges with modules, as many as possible."""

@@ -94,11 +94,10 @@ export class Laboratory {
     return this.known;
   }
 
-  /** Numbers of the beams of a model, each as often as it is there. */
+  /** Numbers of the beams of a model, each as often as it is there; a beam of one hole covers nothing. */
   beamsOf(model) {
-    return model.parts
-      .map(({ part }) => part)
-      .filter((id) => this.parts().get(id)?.class === 'beam');
+    const isBeam = (part) => part?.class === 'beam' && part.features.length > 1;
+    return model.parts.map(({ part }) => part).filter((id) => isBeam(this.parts().get(id)));
   }
 }
 
