@@ -1,8 +1,11 @@
 // The command `liftarm` (DESIGN 4).
 
+#include <algorithm>
+#include <functional>
 #include <new>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -26,9 +29,11 @@ void addSettings(CLI::App* verb, liftarm::cli::SolveOptions& options) {
                    options.preset,
                    "balanced (usual), faithful, simple, faithful-rigid or simple-rigid")
       ->type_name("NAME");
-  verb->add_option("--method",
-                   options.method,
-                   "How to search: default, or paper (the published method, for comparison)")
+  verb->add_option(
+          "--method",
+          options.method,
+          "How to search: default, paper (the published method, for comparison), or what it was "
+          "compared with: random, greedy, beam-search, ant-colony, population")
       ->type_name("NAME");
   verb->add_option("--set",
                    options.settings,
@@ -57,6 +62,72 @@ void addSolve(CLI::App& app, liftarm::cli::SolveOptions& options) {
   solve->add_flag("--json", options.json, "Print the report as one JSON object");
 }
 
+//! A verb and what it does.
+struct Verb {
+  CLI::App* app;
+  std::function<ExitCode()> act;
+};
+
+//! What the verbs besides `solve` are given.
+struct OtherOptions {
+  std::string modelPath;
+  std::string sketchPath;
+  std::string stressOptions;
+  bool json = false;
+};
+
+//! A verb that tells of a sketch what a search with these settings would make of it.
+CLI::App* addTelling(CLI::App& app,
+                     const std::string& name,
+                     const std::string& about,
+                     liftarm::cli::SolveOptions& options) {
+  CLI::App* verb = app.add_subcommand(name, about);
+  verb->add_option("SKETCH", options.sketchPath, "Sketch file (JSON)")->required();
+  addSettings(verb, options);
+  return verb;
+}
+
+std::vector<Verb> addVerbs(CLI::App& app,
+                           liftarm::cli::SolveOptions& options,
+                           OtherOptions& other) {
+  CLI::App* check = app.add_subcommand("check", "Repeat every check on a model file (DESIGN 5)");
+  check->add_option("MODEL", other.modelPath, "Model file (NAME.model.json)")->required();
+  check->add_flag("--json", other.json, "Print the answer as one JSON object");
+  CLI::App* stress = app.add_subcommand(
+      "stress", "Print the stress of a model under its weight and loads: one JSON object");
+  stress->add_option("MODEL", other.modelPath, "Model file (NAME.model.json)")->required();
+  stress
+      ->add_option("--options",
+                   other.stressOptions,
+                   "JSON, such as {\"loads\": [{\"at\": [4, 0, 8], \"force\": [0, 0, -5]}]}: "
+                   "modules and newtons")
+      ->type_name("JSON");
+  CLI::App* symmetries = app.add_subcommand(
+      "symmetries", "Print the symmetries that a sketch has but does not name, in its own format");
+  symmetries->add_option("SKETCH", other.sketchPath, "Sketch file (JSON)")->required();
+  symmetries->add_flag("--json", other.json, "Print the answer as one JSON object");
+  CLI::App* placements = addTelling(
+      app,
+      "placements",
+      "Print every part in every place that may be used for a sketch, for proofs: one JSON object",
+      options);
+  CLI::App* stageOne = addTelling(
+      app,
+      "stage-one",
+      "Print how many adjacent holes differ in direction before and after stage one: JSON",
+      options);
+  stageOne->add_option("--seed", options.seed, "Seed, a whole number")->type_name("N");
+  CLI::App* parts = app.add_subcommand(
+      "parts", "Print the facts about all parts, for programs that judge models: JSON");
+  return {
+      {check, [&] { return liftarm::cli::checkCommand(other.modelPath, other.json); }},
+      {symmetries, [&] { return liftarm::cli::symmetriesCommand(other.sketchPath, other.json); }},
+      {stress, [&] { return liftarm::cli::stressCommand(other.modelPath, other.stressOptions); }},
+      {placements, [&] { return liftarm::cli::placementsCommand(options); }},
+      {stageOne, [&] { return liftarm::cli::stageOneCommand(options); }},
+      {parts, liftarm::cli::partsCommand}};
+}
+
 int run(int argc, char** argv) {
   CLI::App app(kAbout, "liftarm");
   // Help of the whole command shows the options of its verbs too.
@@ -64,26 +135,9 @@ int run(int argc, char** argv) {
   app.set_help_all_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   liftarm::cli::SolveOptions options;
+  OtherOptions other;
   addSolve(app, options);
-
-  std::string modelPath;
-  bool checkJson = false;
-  CLI::App* check = app.add_subcommand("check", "Repeat every check on a model file (DESIGN 5)");
-  check->add_option("MODEL", modelPath, "Model file (NAME.model.json)")->required();
-  check->add_flag("--json", checkJson, "Print the answer as one JSON object");
-
-  std::string sketchPath;
-  bool symmetriesJson = false;
-  CLI::App* symmetries = app.add_subcommand(
-      "symmetries", "Print the symmetries that a sketch has but does not name, in its own format");
-  symmetries->add_option("SKETCH", sketchPath, "Sketch file (JSON)")->required();
-  symmetries->add_flag("--json", symmetriesJson, "Print the answer as one JSON object");
-
-  CLI::App* placements = app.add_subcommand(
-      "placements",
-      "Print every part in every place that may be used for a sketch, for proofs: one JSON object");
-  placements->add_option("SKETCH", options.sketchPath, "Sketch file (JSON)")->required();
-  addSettings(placements, options);
+  const std::vector<Verb> verbs = addVerbs(app, options, other);
 
   try {
     app.parse(argc, argv);
@@ -97,14 +151,10 @@ int run(int argc, char** argv) {
     return static_cast<int>(
         liftarm::cli::refuse(std::string(error.what()) + "; liftarm --help tells all"));
   }
-  if (symmetries->parsed()) {
-    return static_cast<int>(liftarm::cli::symmetriesCommand(sketchPath, symmetriesJson));
-  }
-  if (placements->parsed()) {
-    return static_cast<int>(liftarm::cli::placementsCommand(options));
-  }
-  return static_cast<int>(check->parsed() ? liftarm::cli::checkCommand(modelPath, checkJson)
-                                          : liftarm::cli::solveCommand(options));
+  const auto asked =
+      std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.app->parsed(); });
+  return static_cast<int>(asked != verbs.end() ? asked->act()
+                                               : liftarm::cli::solveCommand(options));
 }
 
 }  // namespace

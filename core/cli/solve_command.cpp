@@ -17,7 +17,9 @@
 #include "cli/stress_text.h"
 #include "design/design_session.h"
 #include "design/placements.h"
+#include "design/stage_one.h"
 #include "design/symmetries.h"
+#include "parts/catalogue_data.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::cli {
@@ -64,6 +66,7 @@ base::Result<Solution> solve(const std::string& sketch,
   return solveSeeds(sketch, settings, first, options.seeds, options.threads);
 }
 
+constexpr std::size_t kMaxModelBytes = 64U << 20U;
 constexpr const char* kModelEnding = ".model.json";
 //! What a model is written as beside itself.
 constexpr const char* kFormats[] = {"mpd", "parts.csv"};
@@ -133,6 +136,24 @@ void complain(const std::string& message) {
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 
+//! Prints one JSON object about a sketch with its settings.
+ExitCode describe(const SolveOptions& options,
+                  base::Result<std::string> (*what)(std::string_view, std::string_view)) {
+  const base::Result<ordered_json> settings = settingsOf(options);
+  if (!settings.ok()) {
+    return refuse(settings.error().message);
+  }
+  const base::Result<std::string> sketch = readFile(options.sketchPath, sketch::kMaxSketchBytes);
+  if (!sketch.ok()) {
+    return refuse(sketch.error().message);
+  }
+  const base::Result<std::string> told = what(sketch.value(), settings.value().dump());
+  if (!told.ok()) {
+    return refuse(options.sketchPath + ": " + told.error().message);
+  }
+  return tell(told.value() + "\n", ExitCode::kBuildable);
+}
+
 }  // namespace
 
 ExitCode refuse(const std::string& message) {
@@ -176,9 +197,20 @@ ExitCode solveCommand(const SolveOptions& options) {
   return printReport(std::move(solution.report), options.sketchPath, options.json);
 }
 
+ExitCode stressCommand(const std::string& modelPath, const std::string& optionsJson) {
+  const base::Result<std::string> model = readFile(modelPath, kMaxModelBytes);
+  if (!model.ok()) {
+    return refuse(model.error().message);
+  }
+  const base::Result<std::string> told = design::analyseStressJson(model.value(), optionsJson);
+  if (!told.ok()) {
+    return refuse(modelPath + ": " + told.error().message);
+  }
+  return tell(told.value() + "\n", ExitCode::kBuildable);
+}
+
 ExitCode checkCommand(const std::string& modelPath, bool json) {
-  constexpr std::size_t kMaxBytes = 64U << 20U;
-  const base::Result<std::string> model = readFile(modelPath, kMaxBytes);
+  const base::Result<std::string> model = readFile(modelPath, kMaxModelBytes);
   if (!model.ok()) {
     return refuse(model.error().message);
   }
@@ -192,21 +224,15 @@ ExitCode checkCommand(const std::string& modelPath, bool json) {
 }
 
 ExitCode placementsCommand(const SolveOptions& options) {
-  const base::Result<ordered_json> settings = settingsOf(options);
-  if (!settings.ok()) {
-    return refuse(settings.error().message);
-  }
-  const base::Result<std::string> sketch = readFile(options.sketchPath, sketch::kMaxSketchBytes);
-  if (!sketch.ok()) {
-    return refuse(sketch.error().message);
-  }
-  const base::Result<std::string> listed =
-      design::placementsJson(sketch.value(), settings.value().dump());
-  if (!listed.ok()) {
-    return refuse(options.sketchPath + ": " + listed.error().message);
-  }
-  print(listed.value() + "\n");
-  return ExitCode::kBuildable;
+  return describe(options, design::placementsJson);
+}
+
+ExitCode stageOneCommand(const SolveOptions& options) {
+  return describe(options, design::stageOneJson);
+}
+
+ExitCode partsCommand() {
+  return tell(std::string(parts::catalogueJsonText()), ExitCode::kBuildable);
 }
 
 ExitCode symmetriesCommand(const std::string& sketchPath, bool json) {

@@ -42,6 +42,17 @@ ExitCode symmetriesCommand(const std::string& sketchPath, bool json);
 //! \param options Those of `solve` that say what is in use.
 ExitCode placementsCommand(const SolveOptions& options);
 
+//! \brief Prints stage one before and after (design/stage_one.h) as one JSON object.
+ExitCode stageOneCommand(const SolveOptions& options);
+
+//! \brief Prints the stress of a model under loads (design/design_session.h, analyseStressJson) as
+//! one JSON object. \param optionsJson As there; empty: its weight alone.
+ExitCode stressCommand(const std::string& modelPath, const std::string& optionsJson);
+
+//! \brief Prints the facts about all parts (core/parts/catalogue.json), for those who judge models
+//! with programs of their own.
+ExitCode partsCommand();
+
 //! \brief Prints one line on standard error. \return kRefused, so that a caller can return it.
 ExitCode refuse(const std::string& message);
 

@@ -9,6 +9,7 @@
 #include "design/looseness.h"
 #include "layout/stack.h"
 #include "objective/mobility.h"
+#include "rivals/rivals.h"
 #include "search/annealer.h"
 #include "search/cover_bound.h"
 #include "search/paper_search.h"
@@ -40,9 +41,24 @@ mechanisms::MechanismTable makeTable(const Settings& settings) {
       mechanisms::composeMechanisms(parts::Catalogue::builtIn(), options));
 }
 
+//! The paper's method, or one of its rivals.
+std::unique_ptr<search::LayoutSearch> makePaperSearch(const Settings& settings,
+                                                      const layout::LayoutProblem& problem,
+                                                      layout::ConnectionSolver& solver) {
+  search::PaperOptions options = settings.paper;
+  options.seed = settings.annealing.seed;
+  options.corners = settings.annealing.parts.corners;
+  options.lengths = settings.annealing.lengths;
+  options.weights = settings.annealing.weights;
+  if (settings.method == kPaperMethod) {
+    return std::make_unique<search::PaperSearch>(problem, solver, std::move(options));
+  }
+  return rivals::makeRival(settings.method, problem, solver, {std::move(options), settings.effort});
+}
+
 //! The paper's method knows no spacers.
 bool fillsGaps(const Settings& settings) {
-  return settings.method != kPaperMethod &&
+  return !isPaperFamily(settings.method) &&
          std::find(settings.connectors.begin(), settings.connectors.end(), layout::kSpacerPart) !=
              settings.connectors.end();
 }
@@ -137,14 +153,8 @@ void Attempts::begin(Wishes wishes, bool last) {
   current_ = std::make_unique<Attempt>(withWishes(*sketch_, wishes), *settings_, table_);
   Attempt& attempt = *current_;
   attempt.wishes = wishes;
-  if (settings_->method == kPaperMethod) {
-    search::PaperOptions options = settings_->paper;
-    options.seed = settings_->annealing.seed;
-    options.corners = settings_->annealing.parts.corners;
-    options.lengths = settings_->annealing.lengths;
-    options.weights = settings_->annealing.weights;
-    attempt.search =
-        std::make_unique<search::PaperSearch>(attempt.problem, attempt.solver, std::move(options));
+  if (isPaperFamily(settings_->method)) {
+    attempt.search = makePaperSearch(*settings_, attempt.problem, attempt.solver);
     return;
   }
   search::AnnealingOptions options = settings_->annealing;

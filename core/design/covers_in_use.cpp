@@ -3,7 +3,7 @@
 namespace liftarm::design {
 
 search::CoverTable coversInUse(const layout::LayoutProblem& problem, const Settings& settings) {
-  if (settings.method != kPaperMethod) {
+  if (!isPaperFamily(settings.method)) {
     return search::makeCoverTable(problem, settings.annealing);
   }
   search::AnnealingOptions options = settings.annealing;

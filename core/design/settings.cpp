@@ -10,6 +10,7 @@
 #include "design/part_lists.h"
 #include "layout/stack.h"
 #include "parts/catalogue.h"
+#include "rivals/rivals.h"
 #include "sketch/json_text.h"
 
 namespace liftarm::design {
@@ -42,6 +43,7 @@ constexpr std::array<NumberKey, 12> kNumberKeys{{
        const double least = v * static_cast<double>(s->annealing.minIterations);
        s->annealing.iterationsPerRun = static_cast<std::uint32_t>(perRun + 1.0);
        s->annealing.minIterations = static_cast<std::uint32_t>(least + 1.0);
+       s->effort = v;
      }},
     {"starts",
      1.0,
@@ -137,7 +139,7 @@ std::string textOf(const json& value) {
 }
 
 std::string knownKeys() {
-  std::string keys = "axles, bent, connectors, frames, lengths, owned.PARTID";
+  std::string keys = "axles, bent, connectors, frames, lengths, owned.PARTID, paper.schedule";
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
@@ -150,9 +152,39 @@ std::string knownKeys() {
   return keys;
 }
 
+std::vector<std::string_view> methodNames() {
+  std::vector<std::string_view> names{kDefaultMethod, kPaperMethod};
+  const std::vector<std::string_view> rivals = rivals::rivalNames();
+  names.insert(names.end(), rivals.begin(), rivals.end());
+  return names;
+}
+
+//! "a, b or c".
+std::string choiceOf(const std::vector<std::string_view>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += i == 0 ? "" : (i + 1 == names.size() ? " or " : ", ");
+    text += names[i];
+  }
+  return text;
+}
+
+base::Result<bool> applySchedule(Settings* settings, const std::string& name) {
+  std::vector<std::string_view> known = rivals::scheduleNames();
+  known.insert(known.begin(), "exponential");
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    return invalid("set.paper.schedule: " + name + " is unknown; use " + choiceOf(known));
+  }
+  settings->paper.cooling = rivals::coolingOf(name);
+  return true;
+}
+
 base::Result<bool> applyKey(Settings* settings, const std::string& key, const json& value) {
   if (isPartList(key)) {
     return applyPartList(settings, key, textOf(value));
+  }
+  if (key == "paper.schedule") {
+    return applySchedule(settings, textOf(value));
   }
   const double number = numberOf(value);
   const std::string prefix = "weights.";
@@ -198,10 +230,10 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
 
 //! What a preset changes beside the weights of the objective.
 void applyPreset(Settings* settings) {
-  settings->annealing.weights = settings->method == kPaperMethod
+  settings->annealing.weights = isPaperFamily(settings->method)
                                     ? objective::paperWeights(settings->preset)
                                     : objective::searchWeights(settings->preset);
-  if (settings->preset != objective::Preset::kBalanced || settings->method == kPaperMethod) {
+  if (settings->preset != objective::Preset::kBalanced || isPaperFamily(settings->method)) {
     return;
   }
   settings->connectors.emplace_back("15100");
@@ -238,8 +270,9 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
       }
       settings->preset = *preset;
     } else if (key == "method") {
-      if (textOf(value) != kDefaultMethod && textOf(value) != kPaperMethod) {
-        return invalid("method: " + textOf(value) + " is unknown; use default or paper");
+      const std::vector<std::string_view> known = methodNames();
+      if (std::find(known.begin(), known.end(), textOf(value)) == known.end()) {
+        return invalid("method: " + textOf(value) + " is unknown; use " + choiceOf(known));
       }
       settings->method = textOf(value);
     } else if (key == "earlier") {

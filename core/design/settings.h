@@ -17,12 +17,20 @@ namespace liftarm::design {
 inline constexpr std::string_view kDefaultMethod = "default";
 inline constexpr std::string_view kPaperMethod = "paper";
 
+//! \brief Whether a method is the paper's or one of its rivals (rivals/rivals.h), which share the
+//! paper's placements, weights and count of gaps.
+inline bool isPaperFamily(std::string_view method) {
+  return method != kDefaultMethod;
+}
+
 //! \brief What a person may set. The defaults serve every sketch (DESIGN 7).
 struct Settings {
   objective::Preset preset = objective::Preset::kBalanced;
   std::string method = "default";
   search::AnnealingOptions annealing;
-  search::PaperOptions paper;  //!< of method "paper"; what both have is taken from `annealing`
+  //! Of method "paper" and its rivals; what both have is taken from `annealing`.
+  search::PaperOptions paper;
+  double effort = 1.0;  //!< times the usual number of iterations
   // Those with which every shared sketch was found whole for every seed when corners were solved
   // one by one and with two parts at most; preset balanced adds 15100 and 44809.
   std::vector<std::string> connectors{
@@ -49,10 +57,10 @@ inline guide::Bridging bridgingOf(const Settings& settings) {
 //! `mechanismParts`, `lengths` ("2,3,5"), `bent` ("32526,60484", the bent beams that may be laid),
 //! `frames` ("64179", the same of frames),
 //! `axles` ("4519,32073", the axles that may cover lines, for which bushes are needed),
-//! `connectors` ("2780,6558,87082"), `paper.coolingRate` (of method paper), `search.PART`, 1 or 0
-//! (search/annealer.h, SearchParts), and `owned.PARTID`, how many of a part there are at most
-//! (DESIGN 6): 0 switches it off. \return The settings, or one message that names the key and what
-//! would be right.
+//! `connectors` ("2780,6558,87082"), `paper.coolingRate` and `paper.schedule` ("linear";
+//! rivals/rivals.h) of method paper, `search.PART`, 1 or 0 (search/annealer.h, SearchParts), and
+//! `owned.PARTID`, how many of a part there are at most (DESIGN 6): 0 switches it off. \return The
+//! settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);
 
 //! \brief The settings as JSON with every key, for the contract with the page.

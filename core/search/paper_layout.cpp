@@ -44,6 +44,16 @@ bool sharePin(const layout::InlinePins& a, const layout::InlinePins& b) {
 
 }  // namespace
 
+void addPaperSums(const PaperSums& sums, layout::Tallies* tallies, bool connected) {
+  tallies->beams = sums.beams;
+  tallies->holes = sums.holes;
+  tallies->layerSquares = sums.layerSquares;
+  tallies->gaps = sums.gaps;
+  tallies->collisions = sums.ownCollisions + (connected ? tallies->collisions : 0);
+  tallies->failedConnections =
+      sums.ownFailures + sums.uncovered + (connected ? tallies->failedConnections : 0);
+}
+
 PaperLayout::PaperLayout(const layout::LayoutProblem& problem,
                          PaperOrientation orientation,
                          std::vector<int> lengths)
@@ -190,15 +200,12 @@ void PaperLayout::removeAround(int run, int edge) {
   }
 }
 
-void PaperLayout::turn(int run, Axis axis) {
+//! Gives a run another hole axis; its junctions' nodes follow. Returns it and the runs it meets.
+std::vector<int> PaperLayout::changeAxis(int run, Axis axis) {
   const guide::GuidingGraph& graph = problem_->graph;
   if (!turned_) {
     savedAxes_ = junctionAxes_;
     turned_ = true;
-  }
-  touch(run);
-  while (!covers_[at(run)].beams.empty()) {
-    erase(run, covers_[at(run)].beams.back());
   }
   axes_[at(run)] = axis;
   covers_[at(run)].axis = axis;
@@ -209,7 +216,26 @@ void PaperLayout::turn(int run, Axis axis) {
       met.push_back(incidence.run);
     }
   }
-  for (const int other : met) {
+  return met;
+}
+
+void PaperLayout::setCover(int run, const Cover& cover) {
+  touch(run);
+  covers_[at(run)].beams = cover.beams;
+  if (cover.axis != axes_[at(run)]) {
+    for (const int other : changeAxis(run, cover.axis)) {
+      touch(other);
+      markCoverable(other);
+    }
+  }
+}
+
+void PaperLayout::turn(int run, Axis axis) {
+  touch(run);
+  while (!covers_[at(run)].beams.empty()) {
+    erase(run, covers_[at(run)].beams.back());
+  }
+  for (const int other : changeAxis(run, axis)) {
     touch(other);
     markCoverable(other);
     for (std::size_t b = covers_[at(other)].beams.size(); b-- > 0;) {

@@ -39,6 +39,11 @@ struct PaperSums {
   int uncovered = 0;      //!< coverable edges that no beam covers
 };
 
+//! \brief Enters the sums into the tallies of a layout with the same beams.
+//! \param connected Whether the tallies count its connections and collisions already, to which
+//! those within runs are added.
+void addPaperSums(const PaperSums& sums, layout::Tallies* tallies, bool connected);
+
 //! \brief The beams of the paper's search: which edges of its components can be covered,
 //! placements, and edits with undo. \details Connections are not its business.
 //!
@@ -72,6 +77,12 @@ class PaperLayout {
 
   void add(const PaperPlacement& placement, int layer);
 
+  //! \brief Takes one beam off, both arms of an L beam. \pre It is there.
+  void remove(int run, const layout::Beam& beam) { erase(run, beam); }
+
+  //! \brief Puts a run's cover as another layout of the same problem has it.
+  void setCover(int run, const layout::Cover& cover);
+
   //! \brief Takes off all beams of the component that cover the edge or stop at one of its nodes.
   void removeAround(int run, int edge);
 
@@ -95,6 +106,7 @@ class PaperLayout {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   void touch(int run);
+  std::vector<int> changeAxis(int run, lattice::Axis axis);
   void markCoverable(int run);
   void insert(int run, const layout::Beam& beam);
   void erase(int run, const layout::Beam& beam);

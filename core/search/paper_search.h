@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/rng.h"
-#include "layout/components.h"
 #include "objective/objective.h"
-#include "objective/symmetry_measure.h"
+#include "search/cooling.h"
 #include "search/layout_search.h"
-#include "search/paper_layout.h"
+#include "search/paper_state.h"
 
 namespace liftarm::search {
 
@@ -21,6 +21,8 @@ struct PaperOptions {
   //! \brief r; 0 takes the paper's 0.999 for simple and 0.99997 for complex models, which we tell
   //! apart by kComplexNodes.
   double coolingRate = 0.0;
+  //! Another schedule than the exponential one, with as many moves; none: exponential.
+  MakeCooling cooling;
   bool corners = true;  //!< whether L beams may be used
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
   objective::Weights weights = objective::paperWeights(objective::Preset::kSimple);
@@ -28,6 +30,9 @@ struct PaperOptions {
 
 //! \brief Nodes from which on a sketch counts as complex.
 inline constexpr int kComplexNodes = 250;
+
+//! \brief The cooling rate of a search: that of the options, or the paper's for such a sketch.
+double paperCoolingRate(const layout::LayoutProblem& problem, const PaperOptions& options);
 
 //! \brief The search of \cite xu_2019_computational as written: stage one of 5.1, the layout
 //! modification operator of 5.2, Algorithm 1 of 5.3 with its temperatures, and the objective of
@@ -46,6 +51,9 @@ inline constexpr int kComplexNodes = 250;
 //!   coherence, pin-head ratio and rigidity.
 //! - "different valid beam orientations when the layout becomes stable": below T_mid one move in
 //!   twenty turns the run of the picked edge before it is covered anew.
+//! - Other schedules ("linear, logarithmic, optimum, thermodynamic"; rivals/schedules.h) get as
+//! many
+//!   moves as the exponential one, and the full objective from the same move on at the latest.
 //! - A failed connection is a cluster too many in a junction's group or in a stack of one run.
 class PaperSearch final : public LayoutSearch {
  public:
@@ -70,35 +78,23 @@ class PaperSearch final : public LayoutSearch {
   [[nodiscard]] const char* phase() const override;
 
  private:
-  void start();
-  void initialise();
-  void useFullObjective();
   void move();
-  void modify();
-  void coverAgain();
-  [[nodiscard]] int pickLayer(const PaperPlacement& placement);
-  void addLayerCosts(int run, int start, int holes, std::vector<double>* costs) const;
-  void measure();
-  [[nodiscard]] double objective();
   void keepBest();
+  [[nodiscard]] bool isStable() const;
 
   const layout::LayoutProblem* problem_;
+  layout::ConnectionSolver* solver_;
   PaperOptions options_;
   base::Rng rng_;
-  layout::Layout layout_;
-  std::optional<PaperLayout> beams_;
+  std::optional<PaperState> state_;
   LayoutSnapshot best_;
-  std::vector<std::pair<int, int>> edges_;  //!< all unit edges, (run, index)
-  std::vector<objective::SymmetryGroup> symmetries_;
-  objective::Measures measures_;
-  objective::Weights simpleWeights_{};
-  layout::Components components_;
+  std::unique_ptr<Cooling> cooling_;  // none: exponential
+  std::uint64_t budget_ = 0;          // moves, where there is a schedule of another kind
+  std::uint64_t middle_ = 0;
   bool done_ = false;
-  bool full_ = false;
   std::uint64_t iteration_ = 0;
   std::uint32_t improvements_ = 0;
   double temperature_ = 0.0;
-  double energy_ = 0.0;
 };
 
 }  // namespace liftarm::search

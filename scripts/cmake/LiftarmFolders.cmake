@@ -15,6 +15,17 @@ function(liftarm_folder folder)
   endif()
 endfunction()
 
+# Folders that the WebAssembly module goes without, for the sake of its first load: it links what is in
+# core/<folder>/absent/ in their place.
+function(liftarm_absent_in_wasm)
+  if(EMSCRIPTEN)
+    foreach(folder IN LISTS ARGN)
+      file(GLOB stand_ins CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/core/${folder}/absent/*.cpp")
+      set_property(TARGET liftarm_${folder} PROPERTY SOURCES ${stand_ins})
+    endforeach()
+  endif()
+endfunction()
+
 # Embeds core/<folder>/catalogue.json as liftarm::parts::catalogueJsonText() (parts/catalogue_data.h).
 function(liftarm_embed_catalogue folder)
   set(data "${CMAKE_SOURCE_DIR}/core/${folder}/catalogue.json")

@@ -93,6 +93,42 @@ TEST_F(Command, ListsEdgesThatBeamsMustCoverAsThePresetBridges) {
   }
 }
 
+TEST_F(Command, TellsThatStageOneLeavesFewerDifferencesThanChance) {
+  const std::string sketch = write("table.json",
+                                   testing::sketchOf({{{0, 0, 0}, {0, 0, 5}},
+                                                      {{8, 0, 0}, {8, 0, 5}},
+                                                      {{0, 0, 5}, {8, 0, 5}},
+                                                      {{0, 0, 5}, {0, 6, 5}}}));
+  const Outcome outcome = run("stage-one '" + sketch + "'");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const auto told = nlohmann::json::parse(outcome.out);
+  const double random = told.at("random").at("differences");
+  EXPECT_LE(told.at("paper").at("differences"), random);
+  EXPECT_LE(told.at("default").at("differences"), random);
+  EXPECT_GE(told.at("random").at("most"), told.at("random").at("least"));
+}
+
+TEST_F(Command, PrintsTheFactsAboutParts) {
+  const Outcome outcome = run("parts");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_GT(nlohmann::json::parse(outcome.out).at("parts").size(), 50U);
+}
+
+TEST_F(Command, PrintsTheStressOfAModelUnderALoad) {
+  const std::string path = write("frame.model.json", model::writeModel(testing::squareFrame()));
+  const Outcome outcome = run("stress '" + path + "' --options '{\"friction\": \"locked\"}'");
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out).at("ok"));
+  expectRefused("stress '" + path + "' --options '{\"friction\": \"glue\"}'", "friction");
+}
+
+TEST_F(Command, SolvesByARival) {
+  const std::string sketch = write("line.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
+  const Outcome outcome = run("solve '" + sketch + "' --no-files --json --method greedy");
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("method"), "greedy");
+}
+
 TEST_F(Command, RefusesBadInputWithOneLine) {
   const std::string good = write("good.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}}));
   expectRefused("solve '" + (folder_ / "none.json").string() + "'", "cannot be opened");
@@ -106,6 +142,7 @@ TEST_F(Command, RefusesBadInputWithOneLine) {
   expectRefused("solve '" + good + "' --set nosuchkey=1", "nosuchkey");
   expectRefused("check '" + good + "'", "liftarm-model");
   expectRefused("placements '" + good + "' --set nosuchkey=1", "nosuchkey");
+  expectRefused("stage-one '" + good + "' --method magic", "ant-colony");
   expectRefused("solve", "SKETCH");
 }
 
@@ -115,6 +152,9 @@ TEST_F(Command, HelpTellsAllOptions) {
   for (const char* word : {"solve",
                            "check",
                            "placements",
+                           "stage-one",
+                           "parts",
+                           "stress",
                            "--seed",
                            "--preset",
                            "--method",

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "layout/bent_beam.h"
+#include "rivals/rivals.h"
 
 namespace liftarm::design {
 namespace {
@@ -59,6 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadSettings{R"({"set": {"search.many": 2}})", "search.many"},
                       BadSettings{R"({"set": {"search.none": 1}})", "search.none"},
                       BadSettings{R"({"set": {"paper.coolingRate": 1}})", "paper.coolingRate"},
+                      BadSettings{R"({"set": {"paper.schedule": "icy"}})", "linear, logarithmic"},
                       BadSettings{R"({"set": {"lengths": "2,4"}})", "4"},
                       BadSettings{R"({"set": {"lengths": ""}})", "set.lengths"},
                       BadSettings{R"({"set": {"bent": "32524"}})", "set.bent"},
@@ -109,6 +111,33 @@ TEST(Settings, OfThePaperTakeItsWeightsWhateverTheOrder) {
   ASSERT_TRUE(settings.ok());
   EXPECT_EQ(settings.value().annealing.weights,
             objective::paperWeights(objective::Preset::kFaithful));
+}
+
+TEST(Settings, TakeEveryRivalAsAMethodWithThePapersWeights) {
+  for (const std::string_view rival : rivals::rivalNames()) {
+    const base::Result<Settings> settings =
+        readSettings(R"({"preset": "simple", "method": ")" + std::string(rival) + "\"}");
+    ASSERT_TRUE(settings.ok()) << rival;
+    EXPECT_EQ(settings.value().annealing.weights,
+              objective::paperWeights(objective::Preset::kSimple));
+  }
+}
+
+TEST(Settings, NameAllMethodsWhereOneIsUnknown) {
+  const base::Result<Settings> settings = readSettings(R"({"method": "magic"})");
+  ASSERT_FALSE(settings.ok());
+  for (const std::string_view rival : rivals::rivalNames()) {
+    EXPECT_NE(settings.error().message.find(rival), std::string::npos) << rival;
+  }
+}
+
+TEST(Settings, TakeASchedule) {
+  const auto cooled = [](const std::string& name) {
+    const auto settings = readSettings(R"({"set": {"paper.schedule": ")" + name + "\"}}");
+    return settings.ok() && settings.value().paper.cooling;
+  };
+  EXPECT_TRUE(cooled("linear"));
+  EXPECT_FALSE(cooled("exponential"));
 }
 
 TEST(Settings, SwitchOffAPartOfTheSearch) {
