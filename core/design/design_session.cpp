@@ -13,8 +13,10 @@
 #include "design/paint.h"
 #include "design/report.h"
 #include "design/settings.h"
+#include "layout/axle.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
+#include "search/joint_refusal.h"
 #include "sketch/sketch_json.h"
 #include "sketch/sketch_notes.h"
 
@@ -70,6 +72,18 @@ class Session final : public DesignSession {
                        sketch_,
                        notes_,
                        model::asWritten(model())});
+  }
+
+  //! \return Why no search is worth its time; nothing where one is, or where no axles are in use.
+  [[nodiscard]] std::optional<std::string> refusal() const {
+    int longest = 0;
+    for (const int axle : settings_.annealing.axles) {
+      longest = std::max(longest, layout::axleParts()[static_cast<std::size_t>(axle)].length);
+    }
+    const bool laysAxles = settings_.method != kPaperMethod && settings_.annealing.parts.axles;
+    return laysAxles && longest > 0
+               ? search::findJointRefusal(sketch_, attempts_.problem().graph, longest)
+               : std::nullopt;
   }
 
  private:
@@ -130,9 +144,12 @@ base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_v
   if (!settings.ok()) {
     return settings.error();
   }
-  std::unique_ptr<DesignSession> session = std::make_unique<Session>(
+  auto session = std::make_unique<Session>(
       std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(settings).value());
-  return session;
+  if (std::optional<std::string> refusal = session->refusal()) {
+    return base::Error{base::Status::kInvalidInput, *std::move(refusal)};
+  }
+  return std::unique_ptr<DesignSession>(std::move(session));
 }
 
 }  // namespace liftarm::design
