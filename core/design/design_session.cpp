@@ -8,6 +8,7 @@
 
 #include "design/attempt.h"
 #include "design/earlier_json.h"
+#include "design/joint_refusal.h"
 #include "design/measures.h"
 #include "design/model_builder.h"
 #include "design/paint.h"
@@ -16,7 +17,6 @@
 #include "layout/axle.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
-#include "search/joint_refusal.h"
 #include "sketch/sketch_json.h"
 #include "sketch/sketch_notes.h"
 
@@ -81,9 +81,8 @@ class Session final : public DesignSession {
       longest = std::max(longest, layout::axleParts()[static_cast<std::size_t>(axle)].length);
     }
     const bool laysAxles = settings_.method != kPaperMethod && settings_.annealing.parts.axles;
-    return laysAxles && longest > 0
-               ? search::findJointRefusal(sketch_, attempts_.problem().graph, longest)
-               : std::nullopt;
+    return laysAxles && longest > 0 ? findJointRefusal(sketch_, attempts_.problem().graph, longest)
+                                    : std::nullopt;
   }
 
  private:

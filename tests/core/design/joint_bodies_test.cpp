@@ -110,5 +110,16 @@ TEST(JointRefusal, NamesJointsAboutTwoAxesAtOnePlace) {
             "nodes");
 }
 
+TEST(JointRefusal, NamesLinesThatLieOnEachOther) {
+  sketch::Sketch sketch = testing::sketchFrom({{{0, 0, 0}, {6, 0, 0}}, {{2, 0, 0}, {-5, 0, 0}}});
+  sketch.joints = {{{2, 0, 0}, {0, 1, 0}, {{0}, {1}}}};
+  EXPECT_EQ(refusalOf(sketch),
+            "joints[0]: lines 0 and 1 lie on each other, so they cannot turn against each other");
+  sketch.lines[1].from = {0, 0, 0};
+  sketch.lines[1].length = 5;
+  sketch.joints[0].at = {0, 0, 0};
+  EXPECT_EQ(refusalOf(sketch), "") << "end to end they are a hinge";
+}
+
 }  // namespace
 }  // namespace liftarm::design

@@ -114,6 +114,10 @@ const SKETCH: Sentences = [
     'Linien können sich bei {point} nicht um zwei Achsen drehen, diese und die von {other}, denn kein Teil hat dort Pinlöcher für beide; erwartet werden Gelenke an zwei Knoten',
   ],
   [
+    'lines {n} and {m} lie on each other, so they cannot turn against each other',
+    'die Linien {n} und {m} liegen aufeinander, können sich also nicht gegeneinander drehen',
+  ],
+  [
     'line {n} turns about itself, so it must be an axle, but {why}',
     'Linie {n} dreht sich um sich selbst und muss also eine Achse sein, aber {why}',
   ],

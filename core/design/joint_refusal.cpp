@@ -1,4 +1,4 @@
-#include "search/joint_refusal.h"
+#include "design/joint_refusal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "search/axle_sites.h"
 #include "sketch/json_text.h"
 
-namespace liftarm::search {
+namespace liftarm::design {
 
 namespace {
 
@@ -40,6 +40,19 @@ bool isOn(const sketch::Line& line, Vec3 p) {
          lattice::length(p - line.from - share * along) < kSame;
 }
 
+//! Whether two lines have a stretch in common.
+bool overlap(const sketch::Line& a, const sketch::Line& b) {
+  const Vec3 along = lattice::normalized(a.to - a.from);
+  const Vec3 offset = b.from - a.from;
+  if (!isParallel(along, lattice::normalized(b.to - b.from)) ||
+      lattice::length(lattice::cross(offset, along)) > kSame) {
+    return false;
+  }
+  const auto [low, high] =
+      std::minmax({lattice::dot(offset, along), lattice::dot(b.to - a.from, along)});
+  return std::min(high, lattice::length(a.to - a.from)) - std::max(low, 0.0) > kSame;
+}
+
 class Refusal {
  public:
   Refusal(const sketch::Sketch& sketch, const guide::GuidingGraph& graph, int longest)
@@ -47,8 +60,10 @@ class Refusal {
 
   [[nodiscard]] std::optional<std::string> find() const {
     for (std::size_t j = 0; j < sketch_.joints.size(); ++j) {
-      if (std::optional<std::string> reason = secondAxis(j)) {
-        return reason;
+      for (const std::optional<std::string>& reason : {secondAxis(j), sharedStretch(j)}) {
+        if (reason.has_value()) {
+          return reason;
+        }
       }
     }
     for (const guide::GuideJoint& joint : graph_.joints) {
@@ -78,11 +93,30 @@ class Refusal {
     return std::nullopt;
   }
 
+  //! Two lines of different bodies that lie on each other.
+  [[nodiscard]] std::optional<std::string> sharedStretch(std::size_t j) const {
+    const std::vector<std::vector<int>>& bodies = sketch_.joints[j].between;
+    for (std::size_t a = 0; a < bodies.size(); ++a) {
+      for (std::size_t b = a + 1; b < bodies.size(); ++b) {
+        for (const int one : bodies[a]) {
+          for (const int other : bodies[b]) {
+            if (overlap(sketch_.lines[at(one)], sketch_.lines[at(other)])) {
+              return "joints[" + std::to_string(j) + "]: lines " + std::to_string(one) + " and " +
+                     std::to_string(other) +
+                     " lie on each other, so they cannot turn against each other";
+            }
+          }
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
   //! A run that turns about itself and cannot be an axle.
   [[nodiscard]] std::optional<std::string> noAxle(const guide::GuideJoint& joint, int run) const {
     const guide::GuideRun& guideRun = graph_.runs[at(run)];
     if (!guideRun.principal || layout::alongAxisOf(guideRun).axis != joint.axis ||
-        mayHaveAxle(graph_, run, longest_)) {
+        search::mayHaveAxle(graph_, run, longest_)) {
       return std::nullopt;
     }
     const std::optional<std::string> reason = whyNoAxle(joint.axis, run);
@@ -161,4 +195,4 @@ std::optional<std::string> findJointRefusal(const sketch::Sketch& sketch,
   return Refusal(sketch, graph, longest).find();
 }
 
-}  // namespace liftarm::search
+}  // namespace liftarm::design
