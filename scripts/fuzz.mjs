@@ -1,4 +1,4 @@
-// `npm run fuzz -- --minutes N [--from SEED] [--jobs J] [--command FILE]`: solves random sketches, checks the models,
+// `npm run fuzz -- --minutes N [--from SEED] [--jobs J] [--motions M] [--command FILE]`: solves random sketches, checks the models,
 // moves them as rigid bodies and checks again. What must hold: no crash, no hang, exit 0, 1 or 2 with one message for
 // 1; solve and check agree; a verdict does not depend on place and turn; what is called buildable stays so. Seeds run
 // from SEED on, so that a find comes again; inputs that fail are kept in build/fuzz-finds/. Ends with 1 where any did.
@@ -23,6 +23,7 @@ const { values: options } = parseArgs({
     from: { type: 'string', default: '1' },
     jobs: { type: 'string', default: '2' },
     count: { type: 'string' },
+    motions: { type: 'string', default: '1' },
     command: { type: 'string' },
   },
 });
@@ -88,7 +89,7 @@ function compareMoved(checked, moved) {
 }
 
 /** Solves, checks, moves and checks one seed. @returns what came of it. */
-async function tryCase(command, seed, folder) {
+async function tryCase(command, seed, folder, motions) {
   const { sketch, args } = fuzzCase(seed);
   const file = (name) => join(folder, `${seed}.${name}`);
   writeFileSync(file('sketch.json'), JSON.stringify(sketch));
@@ -107,15 +108,19 @@ async function tryCase(command, seed, folder) {
   }
   compareChecked(solved, checked);
   const model = JSON.parse(readFileSync(file('model.json'), 'utf8'));
-  writeFileSync(
-    file('moved.json'),
-    JSON.stringify(movedModel(model, rigidMotion(seed, model.sketch))),
-  );
-  const moved = await check('moved.json');
-  if (moved === null) {
-    throw new Error('check refuses the moved model');
+  for (let motion = 0; motion < motions; ++motion) {
+    const way = rigidMotion(seed + 1e6 * motion, model.sketch);
+    writeFileSync(file('moved.json'), JSON.stringify(movedModel(model, way)));
+    const moved = await check('moved.json');
+    if (moved === null) {
+      throw new Error(`check refuses the model after motion ${motion}`);
+    }
+    try {
+      compareMoved(checked, moved);
+    } catch (error) {
+      throw new Error(`motion ${motion}: ${error.message}`);
+    }
   }
-  compareMoved(checked, moved);
   return solved.buildable ? 'buildable' : 'not buildable';
 }
 
@@ -133,6 +138,7 @@ async function main() {
   const first = wholeNumber('from', options.from);
   const last = options.count ? first + wholeNumber('count', options.count) : Infinity;
   const folder = mkdtempSync(join(tmpdir(), 'liftarm-fuzz-'));
+  const motions = wholeNumber('motions', options.motions);
   const counts = { buildable: 0, 'not buildable': 0, refused: 0, failed: 0 };
   let next = first;
   const work = async () => {
@@ -141,7 +147,7 @@ async function main() {
       const mine = join(folder, `${seed}`);
       mkdirSync(mine);
       try {
-        counts[await tryCase(command, seed, mine)] += 1;
+        counts[await tryCase(command, seed, mine, motions)] += 1;
       } catch (error) {
         counts.failed += 1;
         keep(seed, error);
@@ -155,7 +161,10 @@ async function main() {
     rmSync(folder, { recursive: true, force: true });
   }
   const told = Object.entries(counts).map(([what, count]) => `${count} ${what}`);
-  console.log(`seeds ${first} to ${next - 1}: ${told.join(', ')}`);
+  const moved = motions * (counts.buildable + counts['not buildable']);
+  console.log(
+    `seeds ${first} to ${next - 1}: ${told.join(', ')}; ${moved} rigid motions changed no verdict`,
+  );
   if (counts.failed > 0) {
     throw new StepError(`${counts.failed} failed; they are in build/fuzz-finds/`);
   }

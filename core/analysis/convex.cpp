@@ -13,6 +13,8 @@ using parts::Prism;
 
 constexpr int kMaxSteps = 64;
 constexpr double kTiny = 1e-12;
+constexpr double kParallel = 1e-10;  // radians: nearer to the axis is along it
+constexpr double kFlat = 1e-9;       // modules: lower tetrahedra have no inside
 
 //! The point of a prism that lies furthest along d, the prism drawn in by `inset`.
 struct PrismSupport {
@@ -21,10 +23,13 @@ struct PrismSupport {
 
   Vec3 operator()(Vec3 d) const {
     const double along = lattice::dot(d, prism.axis);
-    const Vec3 across = d - along * prism.axis;
+    // Twice, so that nothing along the axis is left where d hardly leaves it: axes of poses that a
+    // file has rounded are of unit length to nine decimals only.
+    const Vec3 rough = d - along * prism.axis;
+    const Vec3 across = rough - lattice::dot(rough, prism.axis) * prism.axis;
     const double norm = lattice::length(across);
     Vec3 p = lattice::dot(d, prism.to - prism.from) > 0.0 ? prism.to : prism.from;
-    if (norm > kTiny) {
+    if (norm > kParallel * lattice::length(d)) {
       p = p + ((prism.radius - inset) / norm) * across;
     }
     const double height = prism.halfThickness - inset;
@@ -117,10 +122,13 @@ Simplex nearestOnTriangle(Vec3 a, Vec3 b, Vec3 c) {
   return best;
 }
 
-//! True where the origin lies on the other side of face abc than d.
+//! False where the origin surely lies on the same side of face abc as d. A flat tetrahedron has no
+//! inside: faces that lie in one plane give such ones, and rounding alone would put the origin in.
 bool outside(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 normal = lattice::cross(b - a, c - a);
-  return lattice::dot(-a, normal) * lattice::dot(d - a, normal) < 0.0;
+  const double height = lattice::dot(d - a, normal);
+  const bool flat = height * height <= kFlat * kFlat * lattice::dot(normal, normal);
+  return flat || lattice::dot(-a, normal) * height < 0.0;
 }
 
 //! The nearest point of the hull; size 4 means that the origin is inside.
@@ -167,8 +175,7 @@ bool intersect(const SupportA& a, const SupportB& b, Vec3 start) {
     }
     simplex = extended(simplex, w);
   }
-  // Tangent to within rounding: the two enter each other by exactly the tolerance.
-  return true;
+  return false;  // however near, no point of both was found
 }
 
 }  // namespace

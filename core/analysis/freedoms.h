@@ -8,12 +8,20 @@
 
 namespace liftarm::analysis {
 
+//! \brief Two of the bodies that share one joint, by their places in `between`.
+struct JointPair {
+  int first = 0;
+  int second = 1;
+};
+
 //! \brief A line about which two bodies are meant to turn against each other.
 struct JointLine {
   lattice::Vec3 at;
   lattice::Vec3 axis;
   std::optional<int> a;  //!< a body on either side, where there is one
   std::optional<int> b;
+  int joint = 0;                       //!< of the sketch
+  std::optional<JointPair> pair = {};  //!< which of its bodies, where it has more than two
 
   [[nodiscard]] bool hasBothSides() const { return a.has_value() && b.has_value(); }
 };

@@ -38,11 +38,9 @@ std::vector<int> linesAt(const std::vector<EdgeCover>& coverage, Vec3 p) {
   return lines;
 }
 
+//! The lines on the two sides of a joint of two bodies.
 std::pair<std::vector<int>, std::vector<int>> sidesOf(const sketch::Joint& joint,
                                                       const std::vector<EdgeCover>& coverage) {
-  if (joint.between.size() >= 2) {
-    return {joint.between[0], joint.between[1]};
-  }
   const std::vector<int> meeting = linesAt(coverage, joint.at);
   if (joint.between.size() == 1) {
     std::vector<int> others;
@@ -189,12 +187,17 @@ std::vector<JointLine> findJointLines(const Scene& scene, const std::vector<Edge
   }
   const AxleLines axles(scene);
   DrawnBodies bodies(*scene.sketch, coverage);
-  for (const sketch::Joint& joint : scene.sketch->joints) {
-    const auto [first, second] = sidesOf(joint, coverage);
+  const auto add = [&](int index,
+                       const std::vector<int>& first,
+                       const std::vector<int>& second,
+                       std::optional<JointPair> pair) {
+    const sketch::Joint& joint = scene.sketch->joints[at(index)];
     JointLine line{joint.at,
                    joint.axis,
                    partOf(first, joint.at, coverage),
-                   partOf(second, joint.at, coverage)};
+                   partOf(second, joint.at, coverage),
+                   index,
+                   pair};
     if (!line.a.has_value()) {
       line.a = partOnAxle(axles, first, second, joint.at, bodies, coverage);
     }
@@ -203,6 +206,22 @@ std::vector<JointLine> findJointLines(const Scene& scene, const std::vector<Edge
     }
     layOnHead(scene, line);
     lines.push_back(line);
+  };
+  for (int j = 0; j < static_cast<int>(scene.sketch->joints.size()); ++j) {
+    const std::vector<std::vector<int>>& between = scene.sketch->joints[at(j)].between;
+    const int groups = static_cast<int>(between.size());
+    if (groups < 2) {
+      const auto [first, second] = sidesOf(scene.sketch->joints[at(j)], coverage);
+      add(j, first, second, std::nullopt);
+    }
+    for (int a = 0; a < groups; ++a) {
+      for (int b = a + 1; b < groups; ++b) {
+        add(j,
+            between[at(a)],
+            between[at(b)],
+            groups > 2 ? std::optional(JointPair{a, b}) : std::nullopt);
+      }
+    }
   }
   return lines;
 }

@@ -224,6 +224,14 @@ std::string JointMover::whyStiff(int joint) const {
 }
 
 JointMotion JointMover::turnJoint(int joint) const {
+  const JointLine& line = free_.query.joints[at(joint)];
+  JointMotion result = turnLine(joint);
+  result.range.joint = line.joint;
+  result.range.pair = line.pair;
+  return result;
+}
+
+JointMotion JointMover::turnLine(int joint) const {
   JointMotion result;
   const bool turnsHeld = held_.freedoms.jointTurns[at(joint)];
   if (!turnsHeld && !free_.freedoms.jointTurns[at(joint)]) {

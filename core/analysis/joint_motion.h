@@ -21,7 +21,9 @@ struct JointRange {
   bool turns = false;
   RangeEnd from;
   RangeEnd to;
-  std::string message;  //!< one sentence for a person
+  std::string message;                 //!< one sentence for a person
+  int joint = 0;                       //!< of the sketch
+  std::optional<JointPair> pair = {};  //!< which of its bodies, where it has more than two
 };
 
 //! \brief Key poses along a motion.
@@ -49,7 +51,8 @@ class JointMover {
 
   [[nodiscard]] const Freedoms& held() const { return held_.freedoms; }
 
-  //! \brief Turns a joint of the sketch. Pins with friction hold where it turns all the same;
+  //! \brief Turns two bodies of a joint of the sketch against each other: those of joint line
+  //! `joint` (findJointLines). Pins with friction hold where it turns all the same;
   //! otherwise they turn too. Freedoms that are not the joint's are locked. \pre 0 <= joint <
   //! joints()
   [[nodiscard]] JointMotion turnJoint(int joint) const;
@@ -63,6 +66,7 @@ class JointMover {
     Freedoms freedoms;
   };
 
+  [[nodiscard]] JointMotion turnLine(int joint) const;
   [[nodiscard]] std::string whyStiff(int joint) const;
   [[nodiscard]] static int baseOf(const Study& study,
                                   int motion,

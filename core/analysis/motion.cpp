@@ -2,11 +2,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 
 #include "model/number_text.h"
 
 namespace liftarm::analysis {
+
+namespace {
+
+//! Which two of three and more bodies a range is about.
+std::string pairText(const JointRange& range) {
+  return range.pair.has_value() ? "bodies " + std::to_string(range.pair->first) + " and " +
+                                      std::to_string(range.pair->second) + ": "
+                                : "";
+}
+
+}  // namespace
 
 MotionReport analyseFreedoms(const Scene& scene, const std::vector<EdgeCover>& coverage) {
   MotionReport report;
@@ -29,21 +41,24 @@ MotionReport analyseMotion(const Scene& scene, const std::vector<EdgeCover>& cov
 ItemResult checkJoints(const Scene& scene, const MotionReport& report) {
   ItemResult result;
   std::optional<double> least;  // of those that turn
-  for (std::size_t j = 0; j < report.joints.size(); ++j) {
-    const JointRange& range = report.joints[j];
+  std::set<int> joints;
+  std::set<int> stiff;
+  for (const JointRange& range : report.joints) {
+    joints.insert(range.joint);
     if (range.turns) {
       const double degrees = range.to.degrees - range.from.degrees;
       least = std::min(least.value_or(degrees), degrees);
+      continue;
     }
-    if (!range.turns) {
-      result.problems.push_back({"joint",
-                                 "joints[" + std::to_string(j) + "]: " + range.message,
-                                 scene.sketch->joints[j].at,
-                                 range.to.stoppedBy});
-    }
+    stiff.insert(range.joint);
+    result.problems.push_back(
+        {"joint",
+         "joints[" + std::to_string(range.joint) + "]: " + pairText(range) + range.message,
+         scene.sketch->joints[static_cast<std::size_t>(range.joint)].at,
+         range.to.stoppedBy});
   }
-  result.detail = std::to_string(report.joints.size() - result.problems.size()) + " of " +
-                  std::to_string(report.joints.size()) + " joints turn";
+  result.detail = std::to_string(joints.size() - stiff.size()) + " of " +
+                  std::to_string(joints.size()) + " joints turn";
   if (least.has_value()) {
     result.detail += ", by at least " + model::numberText(*least, 1) + " degrees";
   }

@@ -17,7 +17,7 @@ namespace liftarm::analysis {
 struct MotionReport {
   Freedoms free;                   //!< every pin turns
   Freedoms held;                   //!< pins with friction hold
-  std::vector<JointRange> joints;  //!< as annotated in the sketch
+  std::vector<JointRange> joints;  //!< one for each two bodies that share an annotated joint
   std::optional<Balance> balance;
   std::vector<Brace> braces;  //!< against the free motions that no joint accounts for
 };

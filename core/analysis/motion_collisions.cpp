@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "analysis/convex.h"
-#include "analysis/interpenetration.h"
 
 namespace liftarm::analysis {
 
@@ -40,7 +39,7 @@ MotionCollisions::MotionCollisions(const Scene& scene, const std::vector<int>& b
 bool MotionCollisions::letOff(std::size_t i, std::size_t j) {
   const auto [entry, isNew] = enteredAtStart_.emplace(std::minmax(i, j), false);
   if (isNew) {
-    entry->second = overlap(pieces_[i].start, pieces_[j].start, kPenetration);
+    entry->second = overlap(pieces_[i].start, pieces_[j].start, kGrazing);
   }
   return entry->second;
 }
@@ -68,7 +67,7 @@ std::optional<std::pair<int, int>> MotionCollisions::find(const std::vector<Pose
                  active.end());
     for (const std::size_t j : active) {
       if (pieces_[i].body != pieces_[j].body && (moving[i] || moving[j]) &&
-          meet(boxes[i], boxes[j], kPenetration) && overlap(prisms[i], prisms[j], kPenetration) &&
+          meet(boxes[i], boxes[j], kGrazing) && overlap(prisms[i], prisms[j], kGrazing) &&
           !letOff(i, j)) {
         return std::minmax(pieces_[i].part, pieces_[j].part);
       }

@@ -9,6 +9,11 @@
 
 namespace liftarm::analysis {
 
+//! \brief By how much two parts may enter each other while they move, modules: each drawn in by 0.6
+//! LDU (0.24 mm). What touches no deeper slips past: pins have that play, and solids taken from
+//! LDraw's geometry and drawn in as much show no contact there.
+inline constexpr double kGrazing = 0.06;
+
 //! \brief Looks for parts that run into each other while bodies move.
 //! \details Convex pieces that enter each other at the start are let off for good: heads in holes,
 //! collars in rims, gears in mesh.

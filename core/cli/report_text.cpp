@@ -58,7 +58,11 @@ std::string motionText(const ordered_json& report) {
     text += "\n";
   }
   for (const ordered_json& joint : report.value("joints", ordered_json::array())) {
-    text += "  joint " + joint.at("index").dump() + ": " + textAt(joint, "message") + "\n";
+    text += "  joint " + joint.at("joint").dump();
+    if (joint.contains("bodies")) {
+      text += ", bodies " + joint.at("bodies")[0].dump() + " and " + joint.at("bodies")[1].dump();
+    }
+    text += ": " + textAt(joint, "message") + "\n";
   }
   const bool judged = report.contains("balance") && report.at("balance").is_object();
   if (judged || report.contains("balanced")) {

@@ -8,11 +8,13 @@
 
 #include "design/attempt.h"
 #include "design/earlier_json.h"
+#include "design/joint_refusal.h"
 #include "design/measures.h"
 #include "design/model_builder.h"
 #include "design/paint.h"
 #include "design/report.h"
 #include "design/settings.h"
+#include "layout/axle.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/sketch_json.h"
@@ -70,6 +72,17 @@ class Session final : public DesignSession {
                        sketch_,
                        notes_,
                        model::asWritten(model())});
+  }
+
+  //! \return Why no search is worth its time; nothing where one is, or where no axles are in use.
+  [[nodiscard]] std::optional<std::string> refusal() const {
+    int longest = 0;
+    for (const int axle : settings_.annealing.axles) {
+      longest = std::max(longest, layout::axleParts()[static_cast<std::size_t>(axle)].length);
+    }
+    const bool laysAxles = settings_.method != kPaperMethod && settings_.annealing.parts.axles;
+    return laysAxles && longest > 0 ? findJointRefusal(sketch_, attempts_.problem().graph, longest)
+                                    : std::nullopt;
   }
 
  private:
@@ -130,9 +143,12 @@ base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_v
   if (!settings.ok()) {
     return settings.error();
   }
-  std::unique_ptr<DesignSession> session = std::make_unique<Session>(
+  auto session = std::make_unique<Session>(
       std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(settings).value());
-  return session;
+  if (std::optional<std::string> refusal = session->refusal()) {
+    return base::Error{base::Status::kInvalidInput, *std::move(refusal)};
+  }
+  return std::unique_ptr<DesignSession>(std::move(session));
 }
 
 }  // namespace liftarm::design

@@ -76,14 +76,15 @@ base::Result<std::string> analyseStressJson(std::string_view modelJson,
 //! turns, "spinning": motions of pins and the like alone}, "groups": [rigid group of each part],
 //! "motions":
 //! [{"joint": index or null, "parts": [..], "velocities": [[vx,vy,vz, wx,wy,wz] about the world's
-//! origin, per listed part]}], "joints": [{"index", "turns", "from", "to": degrees,
-//! "stoppedBy": {"from": [two parts] or [], "to"}, "message"}], "balance": {"stable", "centre":
-//! [x,y,z], "polygon":
+//! origin, per listed part]}], "joints": [{"index", "joint": of the sketch, "turns", "from", "to":
+//! degrees, "stoppedBy": {"from": [two parts] or [], "to"}, "message", "bodies": [two of `between`]
+//! where the joint has more than two: then each two of them have a row}], "balance": {"stable",
+//! "centre": [x,y,z], "polygon":
 //! [[x,y]], "ground": z, "margin": modules, "tippingAngle": degrees, "direction": [x,y]} or null,
 //! "braces": [{"lines": [two], "from", "to": [x,y,z], "message"}]}.
 base::Result<std::string> analyseMotionJson(std::string_view modelJson);
 
-//! \brief Turns an annotated joint through its range.
+//! \brief Turns an annotated joint through its range. \param joint An index of "joints" above.
 //! \return {"index", "turns", "message", "parts": [those that move], "angles": [degrees, rising, 0
 //! among them], "poses": [per angle: [per listed part: x,y,z in modules, quaternion x,y,z,w]]}.
 base::Result<std::string> jointMotionJson(std::string_view modelJson, int joint);

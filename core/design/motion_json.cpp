@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/coverage.h"
@@ -97,12 +98,17 @@ ordered_json jointsJson(const std::vector<analysis::JointRange>& joints) {
   ordered_json result = ordered_json::array();
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const analysis::JointRange& range = joints[j];
-    result.push_back({{"index", j},
-                      {"turns", range.turns},
-                      {"from", rounded(range.from.degrees)},
-                      {"to", rounded(range.to.degrees)},
-                      {"stoppedBy", {{"from", range.from.stoppedBy}, {"to", range.to.stoppedBy}}},
-                      {"message", range.message}});
+    ordered_json row{{"index", j},
+                     {"joint", range.joint},
+                     {"turns", range.turns},
+                     {"from", rounded(range.from.degrees)},
+                     {"to", rounded(range.to.degrees)},
+                     {"stoppedBy", {{"from", range.from.stoppedBy}, {"to", range.to.stoppedBy}}},
+                     {"message", range.message}};
+    if (range.pair.has_value()) {
+      row["bodies"] = {range.pair->first, range.pair->second};
+    }
+    result.push_back(std::move(row));
   }
   return result;
 }

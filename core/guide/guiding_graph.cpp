@@ -7,6 +7,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "guide/joint_bodies.h"
 #include "sketch/point_symmetry.h"
 
 namespace liftarm::guide {
@@ -116,6 +117,19 @@ void addRuns(const sketch::Arrangement& arrangement,
   }
 }
 
+//! Joints about one line are one: their bodies share its pin.
+void addJoint(GuideJoint joint, GuidingGraph* graph) {
+  const auto same =
+      std::find_if(graph->joints.begin(), graph->joints.end(), [&](const GuideJoint& other) {
+        return other.node == joint.node && other.axis == joint.axis;
+      });
+  if (same == graph->joints.end()) {
+    graph->joints.push_back(std::move(joint));
+  } else {
+    partBodies(same->runGroups, joint.runGroups);
+  }
+}
+
 //! Restricts the runs at a joint to its axis where they can have it (paper 5.1, constraint iii).
 void addJoints(const sketch::Arrangement& arrangement,
                const std::vector<Segment>& segments,
@@ -146,7 +160,7 @@ void addJoints(const sketch::Arrangement& arrangement,
         guideJoint.runGroups[static_cast<std::size_t>(group)].push_back(static_cast<int>(s));
       }
     }
-    graph->joints.push_back(std::move(guideJoint));
+    addJoint(std::move(guideJoint), graph);
   }
 }
 

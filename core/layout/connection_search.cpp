@@ -125,8 +125,8 @@ Connection ConnectionSearch::within(int radius) {
   return std::move(best_);
 }
 
-//! Only a single pin through the joint's own axis may join beams that must turn against each
-//! other.
+//! Only a single pin through the joint's own axis may join beams that must turn against each other,
+//! or an axle there between stops.
 bool ConnectionSearch::respectsJoint(const OrientedMechanism& m,
                                      Cell place,
                                      std::uint32_t joined) const {
@@ -143,12 +143,12 @@ bool ConnectionSearch::respectsJoint(const OrientedMechanism& m,
     return true;
   }
   const int k = lattice::index(problem_->jointAxis);
-  return m.shape.parts.size() == 1 &&
-         std::all_of(m.shape.cells.begin(), m.shape.cells.end(), [&](const MechanismCell& c) {
-           const Cell p = c.at + place;
-           return c.head && c.axis == problem_->jointAxis && p[(k + 1) % 3] == 0 &&
-                  p[(k + 2) % 3] == 0;
-         });
+  const bool pin = m.shape.parts.size() == 1;
+  return std::all_of(m.shape.cells.begin(), m.shape.cells.end(), [&](const MechanismCell& c) {
+    const Cell p = c.at + place;
+    return (c.head ? c.axis == problem_->jointAxis && (pin || c.mustHold) : !pin) &&
+           p[(k + 1) % 3] == 0 && p[(k + 2) % 3] == 0;
+  });
 }
 
 //! Whether a mechanism's body has room to draw back from a frame by a module, where it stands on

@@ -16,14 +16,15 @@ using lattice::Mat3;
 using lattice::Vec3;
 using parts::Feature;
 
-constexpr double kSeated = 1e-10;         // modules and radians: nothing to do
-constexpr double kSkewed = 5e-3;          // of entries of R^T R: more is no rounding
-constexpr double kArm = 4.0;              // modules; makes turns as large as shifts
-constexpr double kWork = 3e7;             // rows times iterations of one solution
-constexpr int kMaxIterations = 3000;      // of one solution
-constexpr int kMaxSteps = 4;              // of Gauss and Newton: each squares the error
-constexpr double kSmallEnough = 1e-26;    // of the squared gradient
-constexpr double kUnitsPerModule = 20.0;  // LDraw's, whole on the lattice
+constexpr double kSeated = 1e-10;                 // modules and radians: nothing to do
+constexpr double kSkewed = 5e-3;                  // of entries of R^T R: more is no rounding
+constexpr double kArm = 4.0;                      // modules; makes turns as large as shifts
+constexpr double kWork = 3e7;                     // rows times iterations of one solution
+constexpr int kMaxIterations = 3000;              // of one solution
+constexpr int kMaxSteps = 4;                      // of Gauss and Newton: each squares the error
+constexpr double kSmallEnough = 1e-26;            // of the squared gradient
+constexpr double kLargestMove = 2 * kRoundedGap;  // modules, and radians times kArm
+constexpr double kUnitsPerModule = 20.0;          // LDraw's, whole on the lattice
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -174,8 +175,9 @@ class SeatingStep {
   SeatingStep(const std::vector<Row>& rows, std::vector<bool> holds)
       : rows_(rows), holds_(std::move(holds)) {}
 
-  //! The least moves that close the gaps best (CGLS).
-  [[nodiscard]] std::vector<double> solve() const {
+  //! The least moves that close the gaps best (CGLS), those of many modules for a small gap damped.
+  [[nodiscard]] std::vector<double> solve(double damping) const {
+    const double weight = damping * damping;
     std::vector<double> moves(6 * holds_.size(), 0.0);
     std::vector<double> left;
     for (const Row& row : rows_) {
@@ -188,10 +190,11 @@ class SeatingStep {
     const double allowed = kWork / static_cast<double>(std::max<std::size_t>(rows_.size(), 1));
     for (int i = 0; i < kMaxIterations && i < allowed && size > enough; ++i) {
       const std::vector<double> effect = forward(direction);
-      const double share = size / squared(effect);
+      const double share = size / (squared(effect) + weight * squared(direction));
       add(moves, share, direction);
       add(left, -share, effect);
       gradient = backward(left);
+      add(gradient, -weight, moves);
       const double next = squared(gradient);
       for (std::size_t k = 0; k < direction.size(); ++k) {
         direction[k] = gradient[k] + next / size * direction[k];
@@ -244,6 +247,21 @@ class SeatingStep {
   const std::vector<Row>& rows_;
   std::vector<bool> holds_;
 };
+
+//! Where a chain stands so that its equations hardly depend on some motion (all in one plane, at a
+//! dead point), rounding asks for a long way along it. Rounding never moved a part so far.
+std::vector<double> leastMoves(const SeatingStep& step) {
+  std::vector<double> moves;
+  for (const double damping : {0.0, 1e-5, 1e-3, 1e-2, 1e-1}) {
+    moves = step.solve(damping);
+    if (std::all_of(moves.begin(), moves.end(), [](double move) {
+          return std::abs(move) <= kLargestMove;
+        })) {
+      return moves;
+    }
+  }
+  return std::vector<double>(moves.size(), 0.0);
+}
 
 //! Newton's steps towards the nearest rotation, (3 R - R R^T R) / 2. Nothing where R is no rotation
 //! but for rounding, or is one already.
@@ -306,7 +324,7 @@ void seatHeads(Model& model, const parts::Catalogue& catalogue) {
       return;
     }
     before = worst;
-    const std::vector<double> moves = SeatingStep(rows, holds).solve();
+    const std::vector<double> moves = leastMoves(SeatingStep(rows, holds));
     for (std::size_t i = 0; i < model.parts.size(); ++i) {
       if (!holds[i]) {
         move(model.parts[i].pose, moves.data() + 6 * i);

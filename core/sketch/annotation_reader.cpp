@@ -68,14 +68,15 @@ class AnnotationReader {
     const auto between = value.find("between");
     if (between != value.end()) {
       const std::string groupsPlace = memberPlace(place, "between");
-      if (!fields_.array(*between, groupsPlace, "two groups of line numbers")) {
+      if (!fields_.array(*between, groupsPlace, "groups of line numbers")) {
         return false;
       }
-      if (between->size() != 2) {
-        return fields_.fail(
-            groupsPlace,
-            "expected two groups of line numbers, such as [[0], [1, 2]], found an array of " +
-                std::to_string(between->size()));
+      if (between->size() < 2 || between->size() > kMaxJointBodies) {
+        return fields_.fail(groupsPlace,
+                            "expected 2 to " + std::to_string(kMaxJointBodies) +
+                                " groups of line numbers, such as [[0], [1, 2]], found an array "
+                                "of " +
+                                std::to_string(between->size()));
       }
       for (std::size_t g = 0; g < between->size(); ++g) {
         if (!fields_.lineIndices((*between)[g],

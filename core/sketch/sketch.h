@@ -19,12 +19,12 @@ struct Line {
   std::optional<lattice::Axis> holeAxis;  //!< fixed by the user
 };
 
-//! \brief A point with an axis about which two groups of lines must turn.
+//! \brief A point with an axis about which two or more groups of lines must turn.
 struct Joint {
   lattice::Vec3 at;
   lattice::Vec3 axis;  //!< unit length
   std::vector<std::vector<int>>
-      between;  //!< groups of line indices; empty where just two lines meet
+      between;  //!< groups of line indices, one a body; empty where just two lines meet
 };
 
 //! \brief Lines mapped onto lines: by a mirror plane {p : normal.p = offset} or by a shift.

@@ -107,7 +107,7 @@ bool checkGroups(const Joint& joint,
   return twice == all.end() ||
          fields.fail(groupsPlace,
                      "line " + std::to_string(*twice) +
-                         " stands in both groups; a line moves with one of them");
+                         " stands in two groups; a line moves with one of them");
 }
 
 bool checkJoint(const Joint& joint,
@@ -132,7 +132,7 @@ bool checkJoint(const Joint& joint,
                        meeting.size() < 2
                            ? "only line " + lines + " has a node here; a joint needs two lines"
                            : "missing; " + std::to_string(meeting.size()) + " lines meet here (" +
-                                 lines + "), so name the two groups, such as [[0], [1, 2]]");
+                                 lines + "), so name the groups, such as [[0], [1, 2]]");
   }
   return true;
 }

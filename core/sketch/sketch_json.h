@@ -19,6 +19,7 @@ inline constexpr int kMaxTotalLength = 100000;    //!< modules over all lines
 inline constexpr std::size_t kMaxJoints = 1000;
 inline constexpr std::size_t kMaxSymmetries = 500;
 inline constexpr std::size_t kMaxKeepOuts = 10000;
+inline constexpr std::size_t kMaxJointBodies = 16;    //!< that share one joint
 inline constexpr std::size_t kMaxJointLines = 20000;  //!< lines named by all joints together
 inline constexpr std::size_t kMaxNameBytes = 200;
 inline constexpr double kLengthTolerance = 0.05;  //!< modules off a whole length that are snapped

@@ -119,7 +119,37 @@ export function fuzzCase(seed) {
   return { sketch, args: [...settingsOf(r), '--preset', preset, ...method] };
 }
 
-/** A proper turn about the upright axis or, where nothing is said of up, any of the lattice; then a shift. */
+const times = (m, n) =>
+  [0, 1, 2].flatMap((i) =>
+    [0, 1, 2].map((k) => m[3 * i] * n[k] + m[3 * i + 1] * n[3 + k] + m[3 * i + 2] * n[6 + k]),
+  );
+
+/** Axes about which the sketch may stand at any angle: no line leaves its plane, and nothing else names an axis. */
+function freeAxes({ lines, keepOut, ground }) {
+  if (keepOut || ground !== undefined || lines.some(({ holeAxis }) => holeAxis)) {
+    return [];
+  }
+  const isFlat = ({ from, to }, k) => {
+    const span = add(to, from, -1);
+    const along = Math.abs(span[k]);
+    return along < 1e-6 || Math.hypot(...span) - along < 1e-6;
+  };
+  return [0, 1, 2].filter((k) => lines.every((line) => isFlat(line, k)));
+}
+
+function turnAbout(k, angle) {
+  const [i, j] = [(k + 1) % 3, (k + 2) % 3];
+  const m = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  m[3 * i + i] = m[3 * j + j] = Math.cos(angle);
+  m[3 * j + i] = Math.sin(angle);
+  m[3 * i + j] = -Math.sin(angle);
+  return m;
+}
+
+/**
+ * A proper turn about the upright axis or, where nothing is said of up, any of the lattice, half of the time after
+ * one by any angle where the sketch stays legal; then a shift.
+ */
 export function rigidMotion(seed, sketch) {
   const r = random(seed * 40503 + 7);
   const shift = [0, 1, 2].map(
@@ -145,5 +175,11 @@ export function rigidMotion(seed, sketch) {
     [-1, -1, 1],
   ]);
   const turn = [0, 1, 2].flatMap((i) => [0, 1, 2].map((k) => (order[i] === k ? signs[i] : 0)));
-  return { turn, shift };
+  const axes = freeAxes(sketch);
+  if (axes.length === 0 || r.chance(0.5)) {
+    return { turn, shift };
+  }
+  // Not within 4 degrees of the lattice: reading straightens lines that lean by less than its tolerance.
+  const angle = ((90 * r.whole(0, 3) + r.whole(4, 86)) * Math.PI) / 180;
+  return { turn: times(turn, turnAbout(r.pick(axes), angle)), shift };
 }

@@ -147,6 +147,14 @@ TEST(GuidingGraph, JointWithAGroupOnEachSideSplitsTheRun) {
   EXPECT_EQ(graph.runs[1].axes, std::vector<Axis>{Axis::kZ});
 }
 
+TEST(GuidingGraph, JointsAboutOneLineAreOneOfAllTheirBodies) {
+  sketch::Sketch sketch = testing::cornerSketch(4);
+  sketch.joints = {{{0, 0, 0}, {0, 1, 0}, {{0}, {2}}}, {{0, 0, 0}, {0, 1, 0}, {{0}, {1}}}};
+  const GuidingGraph graph = graphOf(sketch);
+  ASSERT_EQ(graph.joints.size(), 1U);
+  EXPECT_EQ(graph.joints[0].runGroups, (std::vector<std::vector<int>>{{0}, {2}, {1}}));
+}
+
 TEST(GuidingGraph, JointIsNeverBridgeable) {
   const GuidingGraph graph = graphOf(testing::seesawSketch());
   const Junction* junction = junctionAt(graph, {0, 0, 6});

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{joint(R"("at": [9,0,1], "axis": [0,1,0])"),
             "joints[0].between: only line 3 has a node here; a joint needs two lines"},
         Row{joint(R"("at": [5,0,0], "axis": [0,1,0])"),
-            "joints[0].between: missing; 3 lines meet here (0, 1, 2), so name the two groups, such "
+            "joints[0].between: missing; 3 lines meet here (0, 1, 2), so name the groups, such "
             "as [[0], [1, 2]]"},
         Row{jointBetween("[[0], [1, 4]]"),
             "joints[0].between[1][1]: there is no line 4; lines are numbered 0 to 3"},
@@ -69,12 +69,12 @@ INSTANTIATE_TEST_SUITE_P(
             "joints[0].between[1][0]: expected the number of a line, found the number 1.5"},
         Row{jointBetween("[[0], [1, 3]]"), "joints[0].between[1]: line 3 has no node at [5, 0, 0]"},
         Row{jointBetween("[[0], [1, 0]]"),
-            "joints[0].between: line 0 stands in both groups; a line moves with one of them"},
+            "joints[0].between: line 0 stands in two groups; a line moves with one of them"},
         Row{jointBetween("[[0], [1, 1]]"), "joints[0].between[1]: line 1 is named twice"},
         Row{jointBetween("[[0], []]"), "joints[0].between[1]: expected at least one line number"},
         Row{jointBetween("[[0]]"),
-            "joints[0].between: expected two groups of line numbers, such as [[0], [1, 2]], found "
-            "an array of 1"},
+            "joints[0].between: expected 2 to 16 groups of line numbers, such as [[0], [1, 2]], "
+            "found an array of 1"},
         Row{withLines(R"("joints": {})"),
             "joints: expected an array of objects, found an object"}));
 

@@ -101,6 +101,16 @@ describe('edits', () => {
     expect(joined.lines).toHaveLength(4);
   });
 
+  it('keeps a joint while two of its bodies are left', () => {
+    const shared = {
+      ...SKETCH,
+      joints: [{ at: [6, 0, 0], axis: [0, 0, 1], between: [[0], [1], [2]] }],
+    } satisfies SketchDocument;
+    const one = removeLines(shared, new Set([1]));
+    expect(one.joints).toEqual([{ at: [6, 0, 0], axis: [0, 0, 1], between: [[0], [1]] }]);
+    expect(removeLines(shared, new Set([1, 2])).joints).toBeUndefined();
+  });
+
   it('does not split between nodes', () => {
     expect(splitAt(SKETCH, 0, [2.5, 0, 0])).toBe(SKETCH);
   });

@@ -28,6 +28,9 @@ export interface FreeMotion {
 /** Degrees. */
 export interface JointRange {
   readonly index: number;
+  /** Of the sketch, and which two of its bodies where more than two share it. */
+  readonly joint: number;
+  readonly bodies?: readonly [number, number];
   readonly turns: boolean;
   readonly from: number;
   readonly to: number;

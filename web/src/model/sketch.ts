@@ -11,7 +11,7 @@ export interface SketchLine {
   readonly holeAxis?: AxisName;
 }
 
-/** A point with an axis about which two groups of lines must turn. */
+/** A point with an axis about which two or more groups of lines must turn. */
 export interface SketchJoint {
   readonly at: Vec3;
   readonly axis: Vec3;

@@ -249,9 +249,9 @@ function withReferences(
     if (!joint.between) {
       return [joint];
     }
-    const between = joint.between.map(follow);
-    // A joint needs something on each side; with one side gone it means nothing.
-    return between.every((group) => group.length > 0) ? [{ ...joint, between }] : [];
+    const between = joint.between.map(follow).filter((group) => group.length > 0);
+    // A joint needs two bodies; with one left it means nothing.
+    return between.length >= 2 ? [{ ...joint, between }] : [];
   });
   const symmetries = (old.symmetries ?? []).flatMap((symmetry): SketchSymmetry[] => {
     if (symmetry.kind === 'translation') {

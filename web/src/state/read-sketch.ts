@@ -16,6 +16,8 @@ import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-c
 export const MAX_SKETCH_BYTES = 8 * 2 ** 20;
 export const MAX_LINES = 20000;
 export const MAX_COORDINATE = 2000;
+/** Bodies that share one joint. */
+const MAX_JOINT_BODIES = 16;
 /** 0.95 is 0.05 off 1, though not in binary. */
 const LENGTH_TOLERANCE = 0.05 + 1e-9;
 const MAX_NAME = 200;
@@ -155,11 +157,14 @@ function readJoint(json: unknown, place: string, count: number): SketchJoint {
   if (value['between'] === undefined) {
     return joint;
   }
-  const between = list(value['between'], `${place}.between`, 64).map((group, i) =>
+  const between = list(value['between'], `${place}.between`, MAX_JOINT_BODIES).map((group, i) =>
     list(group, `${place}.between[${i}]`, count).map((n, k) =>
       lineIndex(n, `${place}.between[${i}][${k}]`, count),
     ),
   );
+  if (between.length < 2) {
+    throw new Refusal(`${place}.between: should be two or more lists of line numbers`);
+  }
   return { ...joint, between };
 }
 

@@ -39,6 +39,11 @@ export function rangeText(range: JointRange): string {
     : words.range(formatNumber(range.from), formatNumber(range.to));
 }
 
+function nameOf({ joint, bodies }: JointRange): string {
+  const name = words.joint(String(joint + 1));
+  return bodies ? words.bodies(name, String(bodies[0] + 1), String(bodies[1] + 1)) : name;
+}
+
 function JointsCheck({ shown }: CheckProps) {
   const onDisplay = useSceneDisplay();
   const answer = answerOf(shown);
@@ -69,7 +74,7 @@ export function JointList(props: {
             aria-pressed={open === joint.index}
             onClick={() => setOpen(joint.index)}
           >
-            {words.joint(String(joint.index + 1))}
+            {nameOf(joint)}
           </button>{' '}
           <span class="quiet">{rangeText(joint)}</span>
           {joint.turns ? null : <p class="quiet">{inWords(joint.message)}</p>}

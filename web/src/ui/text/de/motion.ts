@@ -21,6 +21,7 @@ export const MOTION_DE: Words<typeof MOTION_EN> = {
   noJoints: 'keine gezeichnet',
   aboutNoJoints: 'Zeichne ein Gelenk, wo sich etwas drehen soll.',
   joint: (n: string) => `Gelenk ${n}`,
+  bodies: (joint: string, a: string, b: string) => `${joint}, Körper ${a} und ${b}`,
   stiff: 'dreht sich nicht',
   fullTurn: 'ganz herum',
   range: (from: string, to: string) => `${from}° bis ${to}°`,

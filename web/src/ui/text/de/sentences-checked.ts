@@ -146,6 +146,7 @@ const MOTION: Sentences = [
     'Dreht sich nicht: Es stößt sofort an, bei {from} und bei {to}.',
   ],
   ['Does not turn: {why}.', 'Dreht sich nicht: {why}.'],
+  ['bodies {a} and {b}: {what}', 'Körper {a} und {b}: {what}'],
   [
     'no beam covers the lines on one of its sides',
     'auf einer seiner Seiten bedeckt kein Balken die Linien',

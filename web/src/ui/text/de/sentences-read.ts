@@ -109,10 +109,38 @@ const SKETCH: Sentences = [
     '{axis}, but line {n} overlaps it and says {other}; expected the same',
     '{axis}, aber Linie {n} liegt auf ihr und sagt {other}; erwartet wird dasselbe',
   ],
+  [
+    'lines cannot turn about two axes at {point}, this one and that of {other}, since no part has pin holes for both at one place; expected joints at two nodes',
+    'Linien können sich bei {point} nicht um zwei Achsen drehen, diese und die von {other}, denn kein Teil hat dort Pinlöcher für beide; erwartet werden Gelenke an zwei Knoten',
+  ],
+  [
+    'lines {n} and {m} lie on each other, so they cannot turn against each other',
+    'die Linien {n} und {m} liegen aufeinander, können sich also nicht gegeneinander drehen',
+  ],
+  [
+    'line {n} turns about itself, so it must be an axle, but {why}',
+    'Linie {n} dreht sich um sich selbst und muss also eine Achse sein, aber {why}',
+  ],
+  [
+    'it is {n} long and the longest axle reaches {m}',
+    'sie ist {n} lang, und die längste Achse reicht {m} weit',
+  ],
+  [
+    'it is {n} long, too short for one that stays in its holes',
+    'sie ist {n} lang, zu kurz für eine, die in ihren Löchern bleibt',
+  ],
+  [
+    'line {n}, which meets it at {point}, cannot have its holes along it',
+    'Linie {n}, die sie bei {point} trifft, kann ihre Löcher nicht längs zu ihr haben',
+  ],
+  [
+    'line {n}, which meets it at {point}, cannot have its holes along it because of {joint}',
+    'Linie {n}, die sie bei {point} trifft, kann ihre Löcher wegen {joint} nicht längs zu ihr haben',
+  ],
   ['line {n} has no node at {point}', 'Linie {n} hat keinen Knoten bei {point}'],
   [
-    'line {n} stands in both groups; a line moves with one of them',
-    'Linie {n} steht in beiden Gruppen; eine Linie bewegt sich mit einer davon',
+    'line {n} stands in two groups; a line moves with one of them',
+    'Linie {n} steht in zwei Gruppen; eine Linie bewegt sich mit einer davon',
   ],
   [
     "{point} is no node of any line; expected a point a whole number of modules from a line's end",
@@ -123,12 +151,12 @@ const SKETCH: Sentences = [
     'nur Linie {n} hat hier einen Knoten; ein Gelenk braucht zwei Linien',
   ],
   [
-    'missing; {n} lines meet here ({lines}), so name the two groups, such as [[0], [1, 2]]',
-    'fehlt; {n} Linien treffen sich hier ({lines}), also sind die beiden Gruppen zu nennen, etwa [[0], [1, 2]]',
+    'missing; {n} lines meet here ({lines}), so name the groups, such as [[0], [1, 2]]',
+    'fehlt; {n} Linien treffen sich hier ({lines}), also sind die Gruppen zu nennen, etwa [[0], [1, 2]]',
   ],
   [
-    'expected two groups of line numbers, such as [[0], [1, 2]], found {found}',
-    'erwartet werden zwei Gruppen von Liniennummern, etwa [[0], [1, 2]], gefunden wurde {found}',
+    'expected {few} to {many} groups of line numbers, such as [[0], [1, 2]], found {found}',
+    'erwartet werden {few} bis {many} Gruppen von Liniennummern, etwa [[0], [1, 2]], gefunden wurde {found}',
   ],
   [
     'the joints name more than {n} lines together',
@@ -205,6 +233,10 @@ const FIELDS: Sentences = [
   ['should be a line number from 0 to {last}', 'muss eine Liniennummer von 0 bis {last} sein'],
   ['should be the number of a part, 0 to {last}', 'muss die Nummer eines Teils sein, 0 bis {last}'],
   ['should be two line numbers', 'müssen zwei Liniennummern sein'],
+  [
+    'should be two or more lists of line numbers',
+    'müssen zwei oder mehr Listen von Liniennummern sein',
+  ],
   ['should be true or false', 'muss true oder false sein'],
   ['should be "x", "y" or "z"', 'muss "x", "y" oder "z" sein'],
   ['should be "reflection" or "translation"', 'muss "reflection" oder "translation" sein'],

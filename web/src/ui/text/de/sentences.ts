@@ -115,7 +115,7 @@ export const PHRASES_DE: Sentences = [
   ['{a} or {b}', '{a} oder {b}'],
   ['three numbers [x, y, z]', 'drei Zahlen [x, y, z]'],
   ['three numbers', 'drei Zahlen'],
-  ['two groups of line numbers', 'zwei Gruppen von Liniennummern'],
+  ['groups of line numbers', 'Gruppen von Liniennummern'],
   ['pairs of line numbers', 'Paare von Liniennummern'],
   ['pairs of line numbers, such as [[0, 1]]', 'Paare von Liniennummern, etwa [[0, 1]]'],
   ['a direction [x, y, z]', 'eine Richtung [x, y, z]'],

@@ -18,6 +18,7 @@ export const MOTION_EN = {
   noJoints: 'none drawn',
   aboutNoJoints: 'Draw a joint where something is meant to turn.',
   joint: (n: string) => `Joint ${n}`,
+  bodies: (joint: string, a: string, b: string) => `${joint}, bodies ${a} and ${b}`,
   stiff: 'does not turn',
   fullTurn: 'all the way round',
   range: (from: string, to: string) => `${from}° to ${to}°`,

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "guide/guiding_graph.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::design {
+
+//! \brief Joints that no layout can have, told before a search for one.
+//! \details Three kinds. Joints about two axes at one place: no part has holes for both there. Two
+//! bodies whose lines lie on each other. And a line that turns about itself alone: beams have their
+//! holes across their line, so it must be an axle, which is as long as axles are and goes through
+//! all that it meets. \param longest Slots of the longest axle in use, at least 1. \return One
+//! sentence that names the joint, the lines and the reason.
+std::optional<std::string> findJointRefusal(const sketch::Sketch& sketch,
+                                            const guide::GuidingGraph& graph,
+                                            int longest);
+
+}  // namespace liftarm::design
