@@ -150,13 +150,10 @@ export async function openText(page: Page, content: string, name = 'a.sketch.jso
   throw new Error('the page opened no file dialog');
 }
 
-/** Opens the palette. A key that comes while another sheet is still closing is not taken: once more then. */
 export async function openPalette(page: Page): Promise<Locator> {
   const input = page.getByRole('combobox', { name: 'Search for a command' });
-  await expect(async () => {
-    await page.keyboard.press('Control+k');
-    await expect(input).toBeVisible({ timeout: 2000 });
-  }).toPass();
+  await page.keyboard.press('Control+k');
+  await expect(input).toBeVisible();
   return input;
 }
 
