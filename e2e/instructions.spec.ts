@@ -40,6 +40,20 @@ test('steps are read, ticked off and remembered', async ({ page }) => {
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
 });
 
+test('a step asks for as many parts as the reader likes', async ({ page }) => {
+  await openModelRoom(page, 'instructions', 'examples/square-frame');
+  await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
+  const steps = page.getByRole('progressbar', { name: 'Done' });
+  const size = page.getByRole('slider', { name: 'Parts a step' });
+  await size.fill('1');
+  // Eight parts, of which none goes in with another.
+  await expect(steps).toHaveAttribute('max', '8');
+  await size.fill('6');
+  await expect.poll(async () => Number(await steps.getAttribute('max'))).toBeLessThan(8);
+  await page.reload();
+  await expect(size).toHaveValue('6');
+});
+
 test('the PDF has all steps on pages of the right size', async ({ page }) => {
   await openModelRoom(page, 'instructions', 'examples/square-frame');
   await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
