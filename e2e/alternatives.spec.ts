@@ -1,0 +1,50 @@
+// Several models of one drawing, and models of the parts that there are.
+import { linkOf, publicSketch } from './helpers/links.ts';
+import { expect, openPage, runCommand, test } from './helpers/test.ts';
+
+// Nothing here looks at the picture.
+test.use({ draws: false });
+
+test('other models of a drawing are compared, and a click puts one on the page', async ({
+  page,
+}) => {
+  await openPage(page, `/${await linkOf(publicSketch('examples/house'))}`);
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  await page.getByRole('button', { name: 'Other models of this drawing' }).click();
+  const sheet = page.getByRole('dialog', { name: 'Other models of this drawing' });
+  await expect(sheet.getByText(/^Searched: \d other models\.$/)).toBeVisible({ timeout: 90_000 });
+  const cards = sheet.locator('.alternative');
+  const count = await cards.count();
+  expect(count).toBeGreaterThanOrEqual(3);
+  expect(count).toBeLessThanOrEqual(7);
+  // The one on the page is there to compare with, not to take.
+  await expect(cards.first()).toBeDisabled();
+  const rows = sheet.locator('.compare tbody tr');
+  await expect(rows).toHaveCount(count);
+  const bricks = await rows.nth(1).locator('td').first().textContent();
+  await cards.nth(1).click();
+  await expect(sheet).toBeHidden();
+  await expect(page.getByTestId('verdict')).toContainText('Buildable');
+  await expect(page.locator('.figures').getByText(bricks ?? 'none', { exact: true })).toBeVisible();
+  // Its preset is in force from then on, so that its link gives it again.
+  const preset = await page.evaluate(
+    () => JSON.parse(localStorage.getItem('liftarm/preferences') ?? '{}').preset as string,
+  );
+  expect(preset).toBeTruthy();
+});
+
+test('a model is searched for again when there are fewer parts, without a click', async ({
+  page,
+}) => {
+  await openPage(page, `/${await linkOf(publicSketch('examples/square-frame'))}`);
+  const verdict = page.getByTestId('verdict');
+  await expect(verdict).toContainText('Buildable', { timeout: 60_000 });
+  const long = page.locator('.parts tr').filter({ hasText: '40490' });
+  await expect(long.locator('.count')).toHaveText('4×');
+  await runCommand(page, 'brick set');
+  await page.locator('.brick-card').filter({ hasText: '40490' }).getByRole('spinbutton').fill('2');
+  await page.keyboard.press('Escape');
+  await expect(long.locator('.count')).toHaveText('2×', { timeout: 60_000 });
+  await expect(verdict).toContainText('Buildable');
+  await expect(page.locator('.short')).toHaveCount(0);
+});
