@@ -15,6 +15,8 @@ test.describe('with all that is drawn', () => {
   test('the page starts with an example that is solved, shown, and saved as a picture', async ({
     page,
   }) => {
+    // Each pixel of both pictures is drawn by the processor.
+    test.setTimeout(240_000);
     await openPage(page);
     await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
     await expect(page.locator('.parts tbody tr').first()).toBeVisible();

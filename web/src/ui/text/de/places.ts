@@ -66,7 +66,7 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
     solving: 'Ein Modell wird gesucht …',
     stale: 'Die Zeichnung ist anders',
     staleText: 'Dieses Modell gehört zur Zeichnung davor.',
-    staleParts: 'Ihre Teile sind andere',
+    staleParts: 'Ihre Teile haben sich geändert',
     stalePartsText:
       'Dieses Modell entstand mit den Teilen davor. „Erzeugen“ macht eines mit diesen.',
     staleAuto: 'Ein neues Modell kommt gleich.',
