@@ -1,15 +1,17 @@
 // Several models of one drawing, and models of the parts that there are.
 import { linkOf, publicSketch } from './helpers/links.ts';
-import { expect, openPage, runCommand, test } from './helpers/test.ts';
+import { expect, openPage, runCommand, test, withoutDrawing } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
 
 test('other models of a drawing are compared, and a click puts one on the page', async ({
   page,
+  browser,
 }) => {
   await openPage(page, `/${await linkOf(publicSketch('examples/house'))}`);
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  const opened = page.url();
   await page.getByRole('button', { name: 'Other models of this drawing' }).click();
   const sheet = page.getByRole('dialog', { name: 'Other models of this drawing' });
   await expect(sheet.getByText(/^Searched: \d other models\.$/)).toBeVisible({ timeout: 90_000 });
@@ -26,11 +28,17 @@ test('other models of a drawing are compared, and a click puts one on the page',
   await expect(sheet).toBeHidden();
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
   await expect(page.locator('.figures').getByText(bricks ?? 'none', { exact: true })).toBeVisible();
-  // Its preset is in force from then on, so that its link gives it again.
-  const preset = await page.evaluate(
-    () => JSON.parse(localStorage.getItem('liftarm/preferences') ?? '{}').preset as string,
-  );
-  expect(preset).toBeTruthy();
+  // The address holds what it was searched with: somebody else's browser finds the same.
+  await expect.poll(() => page.url()).not.toBe(opened);
+  const address = page.url();
+  const other = await browser.newContext();
+  const visitor = await other.newPage();
+  await visitor.addInitScript(withoutDrawing);
+  await openPage(visitor, address);
+  await expect(visitor.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+  const figures = visitor.locator('.figures');
+  await expect(figures.getByText(bricks ?? 'none', { exact: true })).toBeVisible();
+  await other.close();
 });
 
 test('a model is searched for again when there are fewer parts, without a click', async ({
