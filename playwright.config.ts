@@ -1,4 +1,5 @@
 import { defineConfig } from '@playwright/test';
+import { BROWSER } from './scripts/lib/browser.mjs';
 
 const TIMES = process.env['LIFTARM_PAGE_TIMES'] !== undefined;
 
@@ -21,13 +22,9 @@ export default defineConfig({
     baseURL: `http://127.0.0.1:${process.env['LIFTARM_E2E_PORT']}/`,
     browserName: 'chromium',
     viewport: { width: 1280, height: 800 },
-    trace: 'retain-on-failure',
-    launchOptions: {
-      executablePath: process.env['LIFTARM_CHROMIUM'] ?? '/usr/bin/chromium',
-      // It needs user namespaces and another user than root, which containers may lack; only our own
-      // page is opened.
-      chromiumSandbox: false,
-    },
+    // Keeping one costs a third of a run. What failed is run again with LIFTARM_TRACE=1.
+    trace: process.env['LIFTARM_TRACE'] ? 'retain-on-failure' : 'off',
+    launchOptions: BROWSER,
   },
   webServer: {
     // Without a shell in between, it ends with the run, however that ends.

@@ -83,9 +83,10 @@ async function play(page: Page): Promise<void> {
 test.describe('every joint turns within its range', () => {
   test.use({ draws: false });
 
-  // Two tests: they run side by side.
+  // Two tests: they run side by side. Every model's joints are judged by tests/contract/gallery.test.ts; here it is
+  // the page that turns them.
   for (const half of [0, 1]) {
-    const ids = MOVING.filter((_, i) => i % 2 === half);
+    const ids = MOVING.filter((_, i) => i % 2 === half).slice(0, 2);
     test(ids.join(', '), async ({ page }) => {
       await page.goto('./?room=gallery');
       for (const id of ids) {

@@ -40,6 +40,21 @@ test('steps are read, ticked off and remembered', async ({ page }) => {
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
 });
 
+test('a step asks for as many parts as the reader likes', async ({ page }) => {
+  await openModelRoom(page, 'instructions', 'examples/square-frame');
+  await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
+  const steps = page.getByRole('progressbar', { name: 'Done' });
+  const size = page.getByRole('slider', { name: 'Parts a step' });
+  const count = async () => Number(await steps.getAttribute('max'));
+  const usual = await count();
+  await size.fill('1');
+  await expect.poll(count).toBeGreaterThan(usual);
+  await size.fill('6');
+  await expect.poll(count).toBeLessThanOrEqual(usual);
+  await page.reload();
+  await expect(size).toHaveValue('6');
+});
+
 test('the PDF has all steps on pages of the right size', async ({ page }) => {
   await openModelRoom(page, 'instructions', 'examples/square-frame');
   await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });

@@ -71,3 +71,23 @@ test('a sheet is there for the key that comes right after it was asked for', asy
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toBeHidden();
 });
+
+test('a key that comes right after Escape is not the closing sheet’s', async ({ page }) => {
+  await openPage(page);
+  const dialogs = await page.evaluate(async () => {
+    const key = (init: KeyboardEventInit) =>
+      (document.activeElement ?? document.body).dispatchEvent(
+        new KeyboardEvent('keydown', { bubbles: true, cancelable: true, ...init }),
+      );
+    document.querySelector<HTMLElement>('button[aria-label="Keys and help"]')?.click();
+    await new Promise((later) => setTimeout(later, 0));
+    const help = document.querySelector('dialog');
+    // What the browser does on Escape: it tells of the closing only later.
+    help?.dispatchEvent(new Event('cancel', { cancelable: true }));
+    help?.close();
+    key({ key: 'k', code: 'KeyK', ctrlKey: true });
+    await new Promise((later) => setTimeout(later, 100));
+    return [...document.querySelectorAll('dialog')].map((each) => each.ariaLabel);
+  });
+  expect(dialogs).toEqual(['All commands']);
+});

@@ -204,3 +204,22 @@ test('an airplane of which one half is drawn and mirrored', async ({ page }) => 
   const { symmetries } = (await savedSketch(page)) as { symmetries?: unknown[] };
   expect(symmetries).toEqual([{ kind: 'reflection', normal: [1, 0, 0], offset: 0 }]);
 });
+
+test('a corner that is dragged takes its side along', async ({ page }) => {
+  await openEmpty(page);
+  const above = await lookFrom(page, 'top');
+  await page.keyboard.press('r');
+  await clickPlaces(page, [above.at([-4, -2, 0]), above.at([4, 2, 0])]);
+  await page.keyboard.press('v');
+  const from = await canvasPoint(page, ...above.at([4, 2, 0]));
+  const to = await canvasPoint(page, ...above.at([7, 2, 0]));
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y, { steps: 3 });
+  await page.mouse.up();
+  const xs = (await linesOf(page)).flatMap((line) => [line.from[0], line.to[0]]);
+  expect([...new Set(xs)].sort((a, b) => a - b)).toEqual([-4, 7]);
+  await page.keyboard.press('Control+z');
+  const back = (await linesOf(page)).flatMap((line) => [line.from[0], line.to[0]]);
+  expect(Math.max(...back)).toBe(4);
+});

@@ -8,24 +8,33 @@ import {
   test,
 } from './helpers/test.ts';
 
-// Small: without a graphics card each pixel counts.
-test.use({ viewport: { width: 900, height: 500 } });
+test.describe('with all that is drawn', () => {
+  // Small: without a graphics card each pixel counts.
+  test.use({ draws: true, viewport: { width: 900, height: 500 } });
 
-test('the page starts with an example that is solved and shown', async ({ page }) => {
-  await openPage(page);
-  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
-  await expect(page.locator('.parts tbody tr').first()).toBeVisible();
+  test('the page starts with an example that is solved, shown, and saved as a picture', async ({
+    page,
+  }) => {
+    // Each pixel of both pictures is drawn by the processor.
+    test.setTimeout(240_000);
+    await openPage(page);
+    await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
+    await expect(page.locator('.parts tbody tr').first()).toBeVisible();
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      runCommand(page, 'download picture'),
+    ]);
+    expect(file.suggestedFilename()).toMatch(/\.png$/);
+  });
 });
 
-test.describe('without looking at the drawing', () => {
-  test.use({ draws: false });
+test.use({ draws: false });
 
-  test('an example is chosen from the list and solved', async ({ page }) => {
-    await openPage(page);
-    await chooseExample(page, /^House/);
-    await expect(page.getByLabel('Name of the sketch')).toHaveValue('House');
-    await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
-  });
+test('an example is chosen from the list and solved', async ({ page }) => {
+  await openPage(page);
+  await chooseExample(page, /^House/);
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('House');
+  await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
 });
 
 test('a newcomer’s box is a model after a few clicks, and nothing else', async ({ page }) => {
@@ -40,13 +49,4 @@ test('a newcomer’s box is a model after a few clicks, and nothing else', async
   ]);
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
   expect((await savedSketch(page)).lines).toHaveLength(12);
-});
-
-test('the picture is saved as PNG', async ({ page }) => {
-  await openPage(page);
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    runCommand(page, 'download picture'),
-  ]);
-  expect(file.suggestedFilename()).toMatch(/\.png$/);
 });

@@ -19,7 +19,7 @@ const BUILD_PACKAGES = [
 ];
 const TEST_PACKAGES = [
   'clang-format',
-  'chromium',
+  'chromium-headless-shell',
   'fonts-dejavu-core',
   'calculix-ccx',
   'poppler-utils',

@@ -1,5 +1,6 @@
 // `npm test`: set-up, then every check and every test, in the order of what fails fastest. Stops at the
-// first step that fails. Steps can be named: `node scripts/test.mjs lint native`.
+// first step that fails. Steps can be named: `node scripts/test.mjs lint native`. Native tests run while the WebAssembly
+// module is built: its link takes minutes and one core alone.
 import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { build } from './build.mjs';
@@ -82,8 +83,10 @@ const LINTS = {
   },
 };
 
+const buildNative = () => timed('native build', () => build('native'));
+const buildWasm = () => timed('WebAssembly build', () => build('wasm'));
+
 async function testNative() {
-  await timed('native build', () => build('native'));
   const junit = resolve(RESULTS, 'ctest.xml');
   await timed('native tests', () =>
     runner('native', junit, {
@@ -125,6 +128,15 @@ async function testPage() {
   );
 }
 
+/** Waits for all, whatever becomes of them. @throws what the first of them that failed threw. */
+async function together(...works) {
+  const ends = await Promise.allSettled(works.map((work) => work()));
+  const failed = ends.find(({ status }) => status === 'rejected');
+  if (failed !== undefined) {
+    throw failed.reason;
+  }
+}
+
 const STEPS = {
   setup: () => timed('set-up', () => setUp({ forTests: true })),
   lint: async () => {
@@ -132,8 +144,12 @@ const STEPS = {
       await timed(title, work);
     }
   },
-  native: testNative,
-  wasm: () => timed('WebAssembly build', () => build('wasm')),
+  native: async () => {
+    await buildNative();
+    await (stepNames.includes('wasm') ? together(testNative, buildWasm) : testNative());
+  },
+  // Nothing is left to do when it went along with the native tests.
+  wasm: buildWasm,
   unit: testUnits,
   page: testPage,
 };
@@ -152,10 +168,11 @@ const unknown = wanted.filter((name) => !(name in STEPS));
 if (unknown.length > 0) {
   exitWith(new StepError(`no step '${unknown[0]}'; there are: ${Object.keys(STEPS).join(', ')}`));
 }
+const stepNames = wanted.length > 0 ? wanted : Object.keys(STEPS);
 mkdirSync(RESULTS, { recursive: true });
 const start = performance.now();
 let failure = null;
-for (const name of wanted.length > 0 ? wanted : Object.keys(STEPS)) {
+for (const name of stepNames) {
   try {
     await STEPS[name]();
   } catch (error) {

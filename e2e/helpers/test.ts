@@ -12,22 +12,59 @@ interface Options {
 export const test = base.extend<Options>({
   draws: [true, { option: true }],
   page: async ({ page, draws }, use) => {
-    if (!draws) {
-      await page.addInitScript(withoutDrawing);
-    }
-    const errors: string[] = [];
-    page.on('console', (message) => {
-      if (message.type() === 'error' && !HARMLESS.test(message.text())) {
-        errors.push(message.text());
-      }
-    });
-    page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
-    // Moving pictures cost seconds without a graphics card.
-    await page.emulateMedia({ reducedMotion: 'reduce' });
+    const errors = await prepare(page, draws);
     await use(page);
     expect(errors).toEqual([]);
   },
 });
+
+interface SharedPage {
+  readonly page: Page;
+  readonly errors: string[];
+}
+
+/**
+ * A test on a page that draws nothing and is kept for the next test of this worker: most of what a short test
+ * costs is the start of its page. For tests that leave the page and what the browser keeps as they were.
+ */
+export const sharedTest = test.extend<object, { sharedPage: SharedPage }>({
+  sharedPage: [
+    async ({ browser }, use, { project }) => {
+      const { baseURL, viewport } = project.use;
+      const context = await browser.newContext({
+        ...(baseURL ? { baseURL } : {}),
+        ...(viewport ? { viewport } : {}),
+      });
+      const page = await context.newPage();
+      await use({ page, errors: await prepare(page, false) });
+      await context.close();
+    },
+    { scope: 'worker' },
+  ],
+  page: async ({ sharedPage }, use) => {
+    const { page, errors } = sharedPage;
+    errors.length = 0;
+    await use(page);
+    expect(errors).toEqual([]);
+  },
+});
+
+/** @returns what the page says on the console that is an error, and throws, from now on. */
+async function prepare(page: Page, draws: boolean): Promise<string[]> {
+  if (!draws) {
+    await page.addInitScript(withoutDrawing);
+  }
+  const errors: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error' && !HARMLESS.test(message.text())) {
+      errors.push(message.text());
+    }
+  });
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  // Moving pictures cost seconds without a graphics card.
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  return errors;
+}
 
 /** Runs in the page: everything works as ever, only that no pixel is touched. */
 export function withoutDrawing(): void {
@@ -64,14 +101,16 @@ export async function openEmpty(page: Page, preferences: object = {}): Promise<v
   await settled(page);
 }
 
-/** Waits until the camera has come to rest: two frames that look alike. */
+/** Waits for the frames in which the page answers what was done last; its camera moves at once (reduced motion). */
 export async function settled(page: Page): Promise<void> {
-  // A camera's move takes a third of a second of frames, which are slow without a graphics card.
   await page.evaluate(
     () =>
       new Promise<void>((resolve) => {
-        const until = performance.now() + 600;
-        const next = () => (performance.now() > until ? resolve() : requestAnimationFrame(next));
+        let frames = 0;
+        const next = () => {
+          frames += 1;
+          return frames > 5 ? resolve() : requestAnimationFrame(next);
+        };
         requestAnimationFrame(next);
       }),
   );
@@ -111,13 +150,10 @@ export async function openText(page: Page, content: string, name = 'a.sketch.jso
   throw new Error('the page opened no file dialog');
 }
 
-/** Opens the palette. A key that comes while another sheet is still closing is not taken: once more then. */
 export async function openPalette(page: Page): Promise<Locator> {
   const input = page.getByRole('combobox', { name: 'Search for a command' });
-  await expect(async () => {
-    await page.keyboard.press('Control+k');
-    await expect(input).toBeVisible({ timeout: 2000 });
-  }).toPass();
+  await page.keyboard.press('Control+k');
+  await expect(input).toBeVisible();
   return input;
 }
 

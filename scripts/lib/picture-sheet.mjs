@@ -1,12 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { chromium } from '@playwright/test';
+import { BROWSER } from './browser.mjs';
 
 /** Debian's browser, as the browser tests have it. */
 export function launchBrowser() {
-  return chromium.launch({
-    executablePath: process.env.LIFTARM_CHROMIUM ?? '/usr/bin/chromium',
-    chromiumSandbox: false,
-  });
+  return chromium.launch(BROWSER);
 }
 
 /**

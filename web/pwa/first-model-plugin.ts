@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import type { Plugin } from 'vite';
 import { loadFirstExample, namedSketch } from '../src/app/example-list.ts';
-import type { MadeModel } from '../src/app/made-model.ts';
+import type { MadeModel } from '../src/solver/made-model.ts';
 import type { FromWorker } from '../src/solver/protocol.ts';
 import type { CreateSolverModule } from '../src/solver/solver-module.ts';
 import { createWorkerCore, type WorkerCore } from '../src/solver/worker-core.ts';

@@ -3,11 +3,13 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { type Search, solveAfterEdits } from '../../../web/src/app/auto-solve.ts';
 import { PageController } from '../../../web/src/app/page-controller.ts';
 import type { PageState } from '../../../web/src/app/page-state.ts';
+import type { Wish } from '../../../web/src/app/solve-run.ts';
 import { Catalogue } from '../../../web/src/model/catalogue.ts';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
 import { PREFERENCE_DEFAULTS } from '../../../web/src/state/preferences.ts';
 import { SketchStore } from '../../../web/src/state/store.ts';
 import type { ShownModel } from '../../../web/src/ui/page.ts';
+import { partsText, settingsOf } from '../../../web/src/ui/solve-settings.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 
 const sketchOf = (count: number): SketchDocument => ({
@@ -18,38 +20,42 @@ const sketchOf = (count: number): SketchDocument => ({
 
 function begin(autoSolve = true) {
   const store = new SketchStore();
+  const preferences = signal({ ...PREFERENCE_DEFAULTS, autoSolve });
   const controller = new PageController({
     store,
-    preferences: signal({ ...PREFERENCE_DEFAULTS, autoSolve }),
+    preferences,
     catalogue: new Catalogue([]),
     client: silentClient(),
   });
   const did: string[] = [];
-  let underWay: SketchDocument | null = null;
+  let underWay: Wish | null = null;
   const search: Search = {
     generate: () => {
       did.push('generate');
-      underWay = store.sketch.value;
+      underWay = { sketch: store.sketch.value, parts: partsText(settingsOf(preferences.value)) };
     },
     drop: () => {
       did.push('drop');
       underWay = null;
     },
-    sketchUnderWay: () => underWay,
+    wishUnderWay: () => underWay,
   };
   const shown = signal<ShownModel | null>(null);
   const state: PageState = Object.assign(Object.create(controller.state), { shown });
   const stop = solveAfterEdits(state, search);
+  const own = (owned: Readonly<Record<string, number>>) => {
+    preferences.value = { ...preferences.value, owned };
+  };
   const edit = (count: number) => {
     store.commit('draw', sketchOf(count));
   };
   /** The search that was started has ended. */
   const end = () => {
     const report = { buildable: true } as ShownModel['report'];
-    shown.value = { sketch: underWay, report } as ShownModel;
+    shown.value = { ...underWay, report } as ShownModel;
     underWay = null;
   };
-  return { did, edit, store, search, end, stop };
+  return { did, edit, own, store, search, end, stop };
 }
 
 describe('solving after edits', () => {
@@ -96,6 +102,29 @@ describe('solving after edits', () => {
     end();
     vi.advanceTimersByTime(1000);
     expect(did).toEqual(['generate']);
+  });
+
+  it('searches again for the same drawing with the parts that there are now', () => {
+    const { did, edit, own, end } = begin();
+    edit(1);
+    vi.advanceTimersByTime(1000);
+    end();
+    own({ 32316: 1 });
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate', 'generate']);
+    // Parts that are counted as before change nothing.
+    end();
+    own({ 32316: 1 });
+    vi.advanceTimersByTime(1000);
+    expect(did).toEqual(['generate', 'generate']);
+  });
+
+  it('gives up the search for the parts before', () => {
+    const { did, edit, own } = begin();
+    edit(1);
+    vi.advanceTimersByTime(1000);
+    own({ 2780: 4 });
+    expect(did).toEqual(['generate', 'drop']);
   });
 
   it('leaves a new name alone', () => {

@@ -32,7 +32,10 @@ const open = (chosen: Parameters<typeof readOpenedFile>[0], core: SolverClient) 
     new AbortController().signal,
   );
 
-const file = (text: string, size = text.length) => ({ size, text: async () => text });
+const file = (text: string, size = text.length) => ({
+  size,
+  arrayBuffer: async () => new TextEncoder().encode(text).buffer,
+});
 
 describe('opened files', () => {
   it('takes a sketch that the core accepts', async () => {
@@ -93,7 +96,7 @@ describe('opened files', () => {
     ['too much', file('', MAX_FILE_BYTES + 1), 'larger'],
     [
       'what cannot be read',
-      { size: 3, text: async () => Promise.reject(new Error('gone')) },
+      { size: 3, arrayBuffer: async () => Promise.reject(new Error('gone')) },
       'could not be read',
     ],
   ])('refuses %s', async (_name, opened, message) => {

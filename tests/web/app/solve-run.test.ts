@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import type { MadeModel } from '../../../web/src/app/made-model.ts';
 import { SolveRun } from '../../../web/src/app/solve-run.ts';
 import type { SketchDocument } from '../../../web/src/model/sketch.ts';
+import type { MadeModel } from '../../../web/src/solver/made-model.ts';
 import type { SolveProgress } from '../../../web/src/solver/protocol.ts';
 import { text } from '../../../web/src/ui/text.ts';
 import { silentClient } from '../helpers/silent-client.ts';
@@ -154,10 +154,10 @@ describe('solve run', () => {
       seconds: SECONDS,
     });
     await new Promise((later) => setTimeout(later, 0));
-    expect(run.sketchUnderWay).toBe(SKETCH);
+    expect(run.wishUnderWay?.sketch).toBe(SKETCH);
     say(client.checkReply);
     await done;
-    expect(run.sketchUnderWay).toBeNull();
+    expect(run.wishUnderWay).toBeNull();
   });
 
   it('goes on from the last layout when it is asked to, and from nothing after another sketch', async () => {

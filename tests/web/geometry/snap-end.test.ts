@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type SnapContext, snapEnd } from '../../../web/src/geometry/snap-end.ts';
+import { legalEnds, type SnapContext, snapEnd } from '../../../web/src/geometry/snap-end.ts';
 import { distance, type Vec3 } from '../../../web/src/geometry/vec.ts';
 
 const LEVEL = { normal: 'z', through: [0, 0, 0] } as const;
@@ -116,6 +116,57 @@ describe('the end of a line', () => {
   it('lies in the plane through the start, not in the plane of the pointer', () => {
     const snap = snapEnd(context({ start: [0, 0, 2], cursor: [3, 0, 0] }));
     expect(snap.point).toEqual([3, 0, 2]);
+  });
+});
+
+describe('a pointer that moves a little', () => {
+  it('moves the end no further than to a neighbour', () => {
+    const start: Vec3 = [0, 0, 0];
+    // Round the apex of 3, 4 and 5, once the end leapt to the axis, four modules away.
+    for (let i = 0; i < 200; i++) {
+      const angle = (i / 200) * 2 * Math.PI;
+      const cursor: Vec3 = [3 + Math.cos(angle), 4 + Math.sin(angle), 0];
+      const { point } = snapEnd(context({ start, cursor }));
+      expect(distance(point, cursor)).toBeLessThan(2);
+    }
+  });
+});
+
+describe('the ends that are shown', () => {
+  const start: Vec3 = [0, 0, 0];
+
+  it('are whole lengths from the start, near the pointer, the nearest first', () => {
+    const cursor: Vec3 = [3.2, 3.9, 0];
+    const ends = legalEnds({ ...context({ cursor }), start }, 2.6);
+    expect(ends[0]).toEqual([3, 4, 0]);
+    expect(ends.length).toBeGreaterThan(3);
+    for (const end of ends) {
+      const length = distance(start, end);
+      expect(Math.abs(length - Math.round(length))).toBeLessThan(1e-6);
+      expect(distance(end, cursor)).toBeLessThanOrEqual(2.6);
+    }
+  });
+
+  it('have among them the one that is chosen', () => {
+    for (const cursor of [
+      [4.6, 0.3, 0],
+      [5.9, 8.2, 0],
+      [2, 3.5, 0],
+      [7.3, 2.1, 0],
+    ] as const) {
+      const { point } = snapEnd(context({ start, cursor }));
+      const ends = legalEnds({ ...context({ cursor }), start }, 2.6);
+      expect(ends.some((end) => distance(end, point) < 1e-9)).toBe(true);
+    }
+  });
+
+  it('lie on a locked axis alone', () => {
+    const ends = legalEnds({ ...context({ lockAxis: 'z', cursor: [0, 0, 3.4] }), start }, 1.5);
+    expect(ends).toEqual([
+      [0, 0, 3],
+      [0, 0, 4],
+      [0, 0, 2],
+    ]);
   });
 });
 

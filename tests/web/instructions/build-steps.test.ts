@@ -60,6 +60,21 @@ describe('building steps', () => {
     ]);
   });
 
+  it.each([1, 2, 3, 6])('ask for %i parts at most, in the same order', (most) => {
+    const many = plan({
+      ...JSON_PLAN,
+      groups: [{ id: 0, parts: [0, 1, 2, 3, 4], copies: [], mirrored: [] }],
+      steps: [{ group: 0, adds: [0, 1, 2, 3, 4].map((i) => add([i], [0, 0, -2])), stable: true }],
+    });
+    const pages = buildSteps(many, MODEL, most).map((step) => step.adds.map((a) => a.parts[0]));
+    expect(pages.flat()).toEqual([0, 1, 2, 3, 4]);
+    expect(pages.length).toBe(Math.ceil(5 / most));
+    expect(Math.max(...pages.map((page) => page.length))).toBeLessThanOrEqual(most);
+    // No page of one beside a page of six.
+    const sizes = pages.map((page) => page.length);
+    expect(Math.max(...sizes) - Math.min(...sizes)).toBeLessThanOrEqual(1);
+  });
+
   it('tell what to take, without what was built apart', () => {
     const steps = buildSteps(plan(), MODEL);
     expect(steps[0]?.loose.map(({ part, count }) => [part, count])).toEqual([

@@ -16,6 +16,7 @@ const SHOWN: ShownModel = {
   json: '{}',
   model: { name: '', parts: [] },
   sketch: SKETCH,
+  parts: '[]',
   report: {},
   check: null,
 };

@@ -1,7 +1,8 @@
 import { effect } from '@preact/signals';
-import type { SketchDocument } from '../model/sketch.ts';
+import { partsText, settingsOf } from '../ui/solve-settings.ts';
 import type { PageState } from './page-state.ts';
 import { isSmall, searchText } from './page-state.ts';
+import type { Wish } from './solve-run.ts';
 
 /** A pause in the drawing after which a small sketch is solved. */
 const PAUSE_MS = 500;
@@ -10,29 +11,33 @@ const PAUSE_MS = 500;
 export interface Search {
   generate(): void;
   drop(): void;
-  sketchUnderWay(): SketchDocument | null;
+  wishUnderWay(): Wish | null;
 }
 
 /**
- * Starts a search a moment after each edit of a small sketch. A search that was started so is given up
- * when the sketch changes; one that a person asked for goes on.
+ * Starts a search a moment after each edit of a small sketch, and after each change of the parts that there are.
+ * A search that was started so is given up when either changes; one that a person asked for goes on.
  * @returns what stops it.
  */
 export function solveAfterEdits(state: PageState, search: Search): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let asked: string | null = null;
   const underWay = () => {
-    const sketch = search.sketchUnderWay();
-    return sketch ? searchText(sketch) : null;
+    const wish = search.wishUnderWay();
+    return wish ? textOf(wish) : null;
   };
   const stop = effect(() => {
     const sketch = state.store.sketch.value;
     const { autoSolve } = state.preferences.value;
     clearTimeout(timer);
-    const wanted = searchText(sketch);
+    const parts = partsText(settingsOf(state.preferences.value));
+    const wanted = textOf({ sketch, parts });
     const known = () => {
       const shown = state.shown.peek();
-      return shown?.report && shown.sketch ? searchText(shown.sketch) === wanted : false;
+      // What a file held was made with parts of its own.
+      return shown?.report && shown.sketch
+        ? textOf({ sketch: shown.sketch, parts: shown.parts ?? parts }) === wanted
+        : false;
     };
     if (wanted === asked || known()) {
       return;
@@ -55,4 +60,9 @@ export function solveAfterEdits(state: PageState, search: Search): () => void {
     clearTimeout(timer);
     stop();
   };
+}
+
+/** Equal texts, equal searches. */
+function textOf({ sketch, parts }: Wish): string {
+  return `${searchText(sketch)} ${parts}`;
 }

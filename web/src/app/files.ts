@@ -1,7 +1,9 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { SketchDocument } from '../model/sketch.ts';
+import { decodeText } from '../share/decode-text.ts';
 import { type SolverClient, SolverError } from '../solver/client.ts';
+import type { LegalOffer } from '../state/legal-offer.ts';
 import { MAX_SKETCH_BYTES } from '../state/read-sketch.ts';
 import { text } from '../ui/text.ts';
 import type { FileReading } from './reading/file-reader.ts';
@@ -10,8 +12,19 @@ export const MAX_FILE_BYTES = 32 * 2 ** 20;
 
 /** What an opened file turned out to be. */
 export type OpenedFile =
-  | { readonly kind: 'sketch'; readonly sketch: SketchDocument }
-  | { readonly kind: 'model'; readonly json: string };
+  | {
+      readonly kind: 'sketch';
+      readonly sketch: SketchDocument;
+      readonly notes: readonly string[];
+    }
+  | { readonly kind: 'model'; readonly json: string; readonly notes: readonly string[] }
+  /** A sketch that is refused, and the nearest that would not be. */
+  | {
+      readonly kind: 'offer';
+      readonly message: string;
+      readonly legal: LegalOffer;
+      readonly notes: readonly string[];
+    };
 
 /** What reading a file needs. */
 export interface FileHelp {
@@ -25,7 +38,7 @@ export interface FileHelp {
  * with the signal's reason at once when it is aborted.
  */
 export async function readOpenedFile(
-  file: Pick<File, 'size' | 'text'>,
+  file: Pick<File, 'size' | 'arrayBuffer'>,
   { client, catalogue, read }: FileHelp,
   signal: AbortSignal,
 ): Promise<Outcome<OpenedFile>> {
@@ -34,25 +47,25 @@ export async function readOpenedFile(
   }
   let content: string;
   try {
-    content = await file.text();
+    content = decodeText(new Uint8Array(await file.arrayBuffer()));
   } catch {
     return bad(text.files.unreadable);
   }
   if (content.trim() === '') {
     return bad(text.files.empty);
   }
-  const parts = catalogue.parts.map(({ id }) => id);
-  const parsed = await read({ content, parts }, signal);
+  const parsed = await read({ content, parts: catalogue.parts }, signal);
   if (!parsed.ok || parsed.value.kind === 'model') {
     return parsed as Outcome<OpenedFile>;
   }
-  const { read: own, json } = parsed.value;
+  const { read: own, json, notes, legal } = parsed.value;
   // When it is refused the words are those of the core, which knows best.
   const refusal = json.length > MAX_SKETCH_BYTES ? null : await askCore(json, client, signal);
-  if (refusal !== null) {
-    return bad(refusal);
+  if (refusal === null && own.ok) {
+    return good({ kind: 'sketch', sketch: own.value, notes });
   }
-  return own.ok ? good({ kind: 'sketch', sketch: own.value }) : own;
+  const message = refusal ?? (own.ok ? '' : own.message);
+  return legal ? good({ kind: 'offer', message, legal, notes }) : bad(message);
 }
 
 /** What the core's reader says against a sketch, or null. Ends the search as soon as it has begun. */

@@ -1,9 +1,10 @@
 import { firstModels } from 'virtual:first-model';
-import { computed, effect } from '@preact/signals';
+import { batch, computed, effect } from '@preact/signals';
 import { render } from 'preact';
 import catalogueFile from '../../../core/parts/catalogue.json';
 import { readCatalogue } from '../model/catalogue.ts';
 import type { SolverClient } from '../solver/client.ts';
+import type { MadeModel } from '../solver/made-model.ts';
 import { createSolverPool } from '../solver/solver-pool.ts';
 import { type SavedSketch, SketchStore } from '../state/store.ts';
 import { fillWords } from '../tools/tool-words.ts';
@@ -39,7 +40,6 @@ import { SETTLED } from './first-model.ts';
 import { followLanguage } from './follow-language.ts';
 import { keepPreferences, openLibrary, openStore } from './keeping.ts';
 import { listenToKeys } from './keyboard.ts';
-import type { MadeModel } from './made-model.ts';
 import { openLink } from './open-link.ts';
 import { PageController } from './page-controller.ts';
 import { followRoom } from './room-route.ts';
@@ -81,9 +81,17 @@ function pageOf(controller: PageController): Page {
     },
     useTool: controller.useTool,
     openExample: controller.openExample,
+    takeModel: (made, search) => {
+      const { preferences } = state;
+      batch(() => {
+        preferences.value = { ...preferences.peek(), ...search };
+        controller.run.showMade(made);
+      });
+    },
     openFile: controller.files.openFile,
     focusProblem: controller.focusProblem,
     importOwned: controller.files.importOwned,
+    takeLegal: controller.files.takeLegal,
     partPicture: (id) => thumbnails.picture(id),
     toggleKind: controller.toggleKind,
     cutAlong: controller.cutAlong,
@@ -222,7 +230,7 @@ async function start(): Promise<void> {
   solveAfterEdits(state, {
     generate: controller.regrow,
     drop: () => controller.run.drop(),
-    sketchUnderWay: () => controller.run.sketchUnderWay,
+    wishUnderWay: () => controller.run.wishUnderWay,
   });
   controller.fitFirstModels();
   begin();

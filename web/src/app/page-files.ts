@@ -1,9 +1,10 @@
-import { SET_PARTS } from '../model/brick-set.ts';
 import { readPartsList } from '../model/parts-list.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
+import { decodeText } from '../share/decode-text.ts';
 import { sharedState } from '../share/shared-state.ts';
 import type { SolverClient } from '../solver/client.ts';
+import type { LegalOffer } from '../state/legal-offer.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { fillWords } from '../tools/tool-words.ts';
@@ -59,6 +60,8 @@ function writeAddress(hash: string): void {
 
 /** What is read in less is not spoken of. */
 const READING_SHOWN_MS = 400;
+/** What is no part of a sketch's name. */
+const SKETCH_NAME = /(\.sketch)?\.(json|obj)$/i;
 const PICTURE = { width: 1600, height: 1200 } as const;
 
 /** What opening and saving need of the page. */
@@ -89,25 +92,24 @@ export class PageFiles {
 
   /** Reads a list of owned parts that a person chooses. */
   readonly importOwned = (): void => {
-    chooseOne('.csv,.txt,.tsv,text/csv,text/plain', (file) => {
-      file.text().then(
-        (content) => this.#takeOwned(file.name, content),
+    chooseOne('.csv,.txt,.tsv,.xml,.bsx,text/csv,text/plain,text/xml', (file) => {
+      file.arrayBuffer().then(
+        (bytes) => this.#showOwned(file.name, decodeText(new Uint8Array(bytes))),
         () => this.#refuse(file.name, text.files.unreadable),
       );
     });
   };
 
-  #takeOwned(name: string, content: string): void {
-    const list = readPartsList(content);
+  /** Nothing is taken before a person has seen what was understood of it (owned-preview.tsx). */
+  #showOwned(name: string, content: string): void {
+    const { catalogue, ownedList } = this.#context.state;
+    const known = new Set(catalogue.parts.map(({ id }) => id));
+    const list = readPartsList(content, known);
     if (!list.ok) {
       this.#refuse(name, list.message);
       return;
     }
-    const { preferences } = this.#context.state;
-    const known = SET_PARTS.map((id): [string, number] => [id, list.value.get(id) ?? 0]);
-    preferences.value = { ...preferences.value, owned: Object.fromEntries(known) };
-    const n = known.filter(([, count]) => count > 0).length;
-    this.#context.toaster.info(fillWords(text.bricks.imported, { n, name }));
+    ownedList.value = { name, list: list.value };
   }
 
   /** Reads a file; another one that is still being read is given up. */
@@ -139,9 +141,18 @@ export class PageFiles {
       this.#refuse(file.name, opened.message);
       return;
     }
+    if (opened.value.kind === 'offer') {
+      this.#offer(file.name, opened.value);
+      return;
+    }
+    for (const note of opened.value.notes) {
+      this.#context.toaster.error(
+        fillWords(text.files.refused, { name: file.name, message: inWords(note) }),
+      );
+    }
     if (opened.value.kind === 'sketch') {
       const { sketch } = opened.value;
-      const name = sketch.name || file.name.replace(/(\.sketch)?\.(json|obj)$/i, '');
+      const name = sketch.name || file.name.replace(SKETCH_NAME, '');
       this.#context.replaceSketch({ ...sketch, name });
       this.#context.toaster.info(fillWords(text.files.opened, { name }));
       return;
@@ -161,6 +172,29 @@ export class PageFiles {
     this.#context.fit();
     this.#context.toaster.info(fillWords(text.files.openedModel, { name: file.name }));
   }
+
+  /** Says why a drawing is refused, and shows the nearest that would not be when it is asked for. */
+  #offer(name: string, { message, legal }: { message: string; legal: LegalOffer }): void {
+    const { state, toaster } = this.#context;
+    const named = legal.sketch.name || name.replace(SKETCH_NAME, '');
+    toaster.error(fillWords(text.files.refused, { name, message: inWords(message) }), {
+      label: text.legal.show,
+      run: () => {
+        state.legalOffer.value = { ...legal, sketch: { ...legal.sketch, name: named } };
+        state.dialog.value = 'legal';
+      },
+    });
+  }
+
+  readonly takeLegal = (): void => {
+    const { state, toaster } = this.#context;
+    const offer = state.legalOffer.value;
+    if (offer) {
+      toaster.clearErrors();
+      state.dialog.value = null;
+      this.#context.replaceSketch(offer.sketch);
+    }
+  };
 
   #refuse(name: string, message: string): void {
     this.#context.toaster.error(fillWords(text.files.refused, { name, message: inWords(message) }));

@@ -6,6 +6,7 @@ import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
+import type { LegalOffer } from '../state/legal-offer.ts';
 import type { PagePreferences } from '../state/page-preferences.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
@@ -13,6 +14,7 @@ import type { PlaneMode, Tool } from '../tools/tool.ts';
 import type {
   DialogName,
   Example,
+  OwnedList,
   PartKind,
   PartRow,
   PointerTaker,
@@ -20,6 +22,7 @@ import type {
   ShownModel,
   SolveState,
 } from '../ui/page.ts';
+import { partsText, settingsOf } from '../ui/solve-settings.ts';
 import { colourWord, partName } from '../ui/text/part-names.ts';
 import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 
@@ -62,6 +65,8 @@ export class PageState {
   readonly proposedSymmetry = signal<FoundSymmetry | null>(null);
   /** The sketch as it came, by an example or a link; null for one's own. */
   readonly came = signal<SketchDocument | null>(null);
+  readonly legalOffer = signal<LegalOffer | null>(null);
+  readonly ownedList = signal<OwnedList | null>(null);
   readonly panelOpen = signal(false);
   readonly dropping = signal(false);
   readonly focusedProblem = signal<number | null>(null);
@@ -74,6 +79,7 @@ export class PageState {
 
   readonly result: ReadonlySignal<ResultState | null>;
   readonly stale: ReadonlySignal<boolean>;
+  readonly staleBy: ReadonlySignal<'drawing' | 'parts' | null>;
   /** Somebody else's sketch is on the page, and nothing was changed in it. */
   readonly lookedAt: ReadonlySignal<boolean>;
   /** Parts of the model that the sketch has left behind: none, some, or all. */
@@ -110,7 +116,15 @@ export class PageState {
       const sketch = shown.value?.sketch;
       return sketch ? searchText(sketch) : null;
     });
-    this.stale = computed(() => shownText.value !== null && shownText.value !== sketchText.value);
+    const parts = computed(() => partsText(settingsOf(preferences.value)));
+    this.staleBy = computed(() => {
+      if (shownText.value !== null && shownText.value !== sketchText.value) {
+        return 'drawing';
+      }
+      const used = shown.value?.parts ?? null;
+      return used !== null && used !== parts.value ? 'parts' : null;
+    });
+    this.stale = computed(() => this.staleBy.value !== null);
     this.lookedAt = computed(
       () => this.came.value !== null && this.came.value === store.sketch.value,
     );

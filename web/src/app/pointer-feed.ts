@@ -100,6 +100,7 @@ export class PointerFeed {
       x: event.clientX - box.left,
       y: event.clientY - box.top,
       shift: event.shiftKey,
+      alt: event.altKey,
       kind: pointerType === 'touch' || pointerType === 'pen' ? pointerType : 'mouse',
     };
   }

@@ -2,12 +2,13 @@ import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { CheckReport, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { SolveResult, SolverClient } from '../solver/client.ts';
+import type { MadeModel } from '../solver/made-model.ts';
 import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
 import type { ChartPoint, LayoutSnapshot, ShownModel, SolveState } from '../ui/page.ts';
+import { partsText } from '../ui/solve-settings.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
-import type { MadeModel } from './made-model.ts';
 import { readModel } from './read-model.ts';
 
 const MAX_CHART_POINTS = 400;
@@ -15,9 +16,16 @@ const MAX_CHART_POINTS = 400;
 export const MAX_LAYOUTS = 12;
 const IDLE: SolveState = { phase: 'idle', progress: null, chart: [], layouts: [], message: '' };
 
+/** What a model is searched for. */
+export interface Wish {
+  readonly sketch: SketchDocument;
+  /** The parts that there are (partsText). */
+  readonly parts: string;
+}
+
 /** What a search has found. */
 interface Found {
-  readonly sketch: SketchDocument;
+  readonly wish: Wish;
   readonly json: string;
   readonly report: Report;
 }
@@ -31,7 +39,7 @@ export class SolveRun {
   #running: AbortController | null = null;
   /** Of a check that nobody waits for. */
   #checking: AbortController | null = null;
-  #sketch: SketchDocument | null = null;
+  #wish: Wish | null = null;
   /** Of the last search that ended, as text. */
   #layout: string | null = null;
   readonly state: ReadonlySignal<SolveState> = this.#state;
@@ -41,9 +49,12 @@ export class SolveRun {
     this.#client = client;
   }
 
-  /** start(), but what the sketch has in common with that of the last search stays as it lies. */
+  /**
+   * start(), but what the sketch has in common with that of the last search stays as it lies. With other parts
+   * nothing does: it may be laid with what is no longer there.
+   */
   regrow(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
-    const layout = this.#layout;
+    const layout = this.#wish?.parts === partsText(settings) ? this.#layout : null;
     const earlier = layout === null ? {} : { earlier: JSON.parse(layout) as unknown };
     return this.start(sketch, { ...settings, ...earlier });
   }
@@ -51,18 +62,19 @@ export class SolveRun {
   /** Starts a search; one under way is given up. Never rejects. */
   async start(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
     const run = this.#begin();
-    this.#sketch = sketch;
+    const wish: Wish = { sketch, parts: partsText(settings) };
+    this.#wish = wish;
     this.#state.value = { ...IDLE, phase: 'solving' };
     const onProgress = (progress: SolveProgress, json: string | null) => {
       if (this.#running === run) {
-        this.#progressed(sketch, progress, json);
+        this.#progressed(wish, progress, json);
       }
     };
     try {
       const watch = { onProgress, signal: run.signal };
       const result = await this.#client.solve(writeSketch(sketch), settings, watch);
       if (this.#running === run) {
-        await this.#ended(sketch, result, run);
+        await this.#ended(wish, result, run);
       }
     } catch {
       if (this.#running === run) {
@@ -80,12 +92,13 @@ export class SolveRun {
     }
     this.drop();
     this.#layout = made.layoutJson;
-    this.#sketch = made.sketch;
+    const wish = wishOf(made);
+    this.#wish = wish;
     const report = JSON.parse(made.reportJson) as Report;
     const check = JSON.parse(made.checkJson) as CheckReport;
     batch(() => {
-      const { sketch, modelJson: json } = made;
-      this.#shown.value = { source: 'search', json, model: model.value, sketch, report, check };
+      const json = made.modelJson;
+      this.#shown.value = { source: 'search', json, model: model.value, ...wish, report, check };
       this.#end('solved', '');
     });
   }
@@ -125,13 +138,13 @@ export class SolveRun {
       });
     } else {
       this.#layout = result.layoutJson;
-      await this.#show({ sketch: made.sketch, json: result.modelJson, report }, run);
+      await this.#show({ wish: wishOf(made), json: result.modelJson, report }, run);
     }
   }
 
-  /** The sketch of the search under way, or of its model that is being checked; or null. */
-  get sketchUnderWay(): SketchDocument | null {
-    return this.#state.peek().phase === 'solving' ? this.#sketch : null;
+  /** What the search under way is for, or its model that is being checked; or null. */
+  get wishUnderWay(): Wish | null {
+    return this.#state.peek().phase === 'solving' ? this.#wish : null;
   }
 
   /** Ends what is under way, be it the search or the check of what it found. */
@@ -173,7 +186,8 @@ export class SolveRun {
     this.drop();
     this.#layout = null;
     batch(() => {
-      this.#shown.value = { source: 'file', json, model: model.value, sketch, report, check };
+      const of = { sketch, parts: null };
+      this.#shown.value = { source: 'file', json, model: model.value, ...of, report, check };
       if (sketch) {
         onSketch(sketch);
       }
@@ -194,16 +208,16 @@ export class SolveRun {
   /** Shows an earlier layout of the last search, checked like a file. */
   async showLayout(layout: LayoutSnapshot): Promise<void> {
     const model = readModel(layout.json);
-    const sketch = this.#sketch;
-    if (this.#running || !model.ok || !sketch) {
+    const wish = this.#wish;
+    if (this.#running || !model.ok || !wish) {
       return;
     }
     const check = await this.#checkAside(layout.json);
-    if (!this.#running && this.#sketch === sketch) {
+    if (!this.#running && this.#wish === wish) {
       const { json, objective, beams, gaps, collisions, failedConnections } = layout;
       const buildable = check?.buildable ?? false;
       const report = { objective, beams, gaps, collisions, failedConnections, buildable };
-      this.#shown.value = { source: 'search', json, model: model.value, sketch, report, check };
+      this.#shown.value = { source: 'search', json, model: model.value, ...wish, report, check };
     }
   }
 
@@ -214,7 +228,7 @@ export class SolveRun {
     this.#shown.value = null;
   }
 
-  #progressed(sketch: SketchDocument, progress: SolveProgress, json: string | null): void {
+  #progressed(wish: Wish, progress: SolveProgress, json: string | null): void {
     batch(() => {
       this.#state.value = grown(this.#state.value, progress, json);
       const model = json === null ? null : readModel(json);
@@ -223,7 +237,7 @@ export class SolveRun {
           source: 'search',
           json,
           model: model.value,
-          sketch,
+          ...wish,
           report: null,
           check: null,
         };
@@ -231,7 +245,7 @@ export class SolveRun {
     });
   }
 
-  async #ended(sketch: SketchDocument, result: SolveResult, run: AbortController): Promise<void> {
+  async #ended(wish: Wish, result: SolveResult, run: AbortController): Promise<void> {
     switch (result.outcome) {
       case 'refused':
         this.#running = null;
@@ -243,13 +257,13 @@ export class SolveRun {
         return;
       case 'solved': {
         this.#layout = result.layoutJson;
-        await this.#show({ sketch, json: result.modelJson, report: timedReport(result) }, run);
+        await this.#show({ wish, json: result.modelJson, report: timedReport(result) }, run);
       }
     }
   }
 
   async #show(found: Found, run: AbortController): Promise<void> {
-    const { sketch, json, report } = found;
+    const { wish, json, report } = found;
     const model = readModel(json);
     if (!model.ok) {
       this.#running = null;
@@ -265,7 +279,7 @@ export class SolveRun {
     const stopped = run.signal.aborted;
     const known = stopped ? { report: null, check: null } : { report, check };
     batch(() => {
-      this.#shown.value = { source: 'search', json, model: model.value, sketch, ...known };
+      this.#shown.value = { source: 'search', json, model: model.value, ...wish, ...known };
       this.#end(stopped ? 'cancelled' : 'solved', stopped ? text.solve.cancelledUnchecked : '');
       this.#addFinal(json, report);
     });
@@ -312,6 +326,10 @@ export class SolveRun {
   #end(phase: SolveState['phase'], message: string): void {
     this.#state.value = { ...this.#state.value, phase, message };
   }
+}
+
+function wishOf({ sketch, settings }: MadeModel): Wish {
+  return { sketch, parts: partsText(settings) };
 }
 
 /** The state of a search after it has told of its progress, and of a model or none. */

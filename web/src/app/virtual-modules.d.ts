@@ -1,6 +1,6 @@
 declare module 'virtual:first-model' {
+  import type { MadeModel } from '../solver/made-model.ts';
   import type { Language } from '../state/preferences.ts';
-  import type { MadeModel } from './made-model.ts';
 
   export const firstModels: Readonly<Record<Language, MadeModel>>;
 }

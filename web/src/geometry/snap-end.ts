@@ -64,6 +64,17 @@ const PULL: Readonly<Record<SnapReason, number>> = {
   plane: 1,
 };
 
+/** Where nothing is within reach: nearly the nearest, so that no small move of the pointer makes a large one. */
+const FAR_PULL: Readonly<Record<SnapReason, number>> = {
+  endpoint: 0.7,
+  node: 0.75,
+  axis: 0.8,
+  parallel: 0.95,
+  pythagorean: 1,
+  sixty: 1,
+  plane: 1,
+};
+
 /**
  * The point that a pointer means, with the reason. A line's end has a whole length from its start and
  * shares with it one coordinate at least, always: ends that have not are not offered.
@@ -77,17 +88,56 @@ export function snapEnd(context: SnapContext): Snap {
   const cursor = context.lockAxis
     ? context.cursor
     : projectToPlane(context.cursor, { normal: context.plane.normal, through: line.start });
-  let best: Snap | null = null;
+  const all = [...nodeEnds(line), ...wayEnds(line, cursor, ways)];
+  const near = all.filter(({ point, target }) => distance(point, target) <= context.tolerance);
+  return cheapest(near, PULL) ?? cheapest(all, FAR_PULL) ?? firstAxisEnd(line, ways);
+}
+
+function cheapest(
+  candidates: readonly Candidate[],
+  pull: Readonly<Record<SnapReason, number>>,
+): Snap | null {
+  let best: Candidate | null = null;
   let bestCost = Infinity;
-  for (const candidate of [...nodeEnds(line), ...wayEnds(line, cursor, ways)]) {
-    const gap = distance(candidate.point, candidate.target);
-    const cost = gap * PULL[candidate.reason];
-    if ((gap <= context.tolerance || candidate.reason === 'axis') && cost < bestCost) {
-      best = { point: candidate.point, reason: candidate.reason, length: candidate.length };
+  for (const candidate of candidates) {
+    const cost = distance(candidate.point, candidate.target) * pull[candidate.reason];
+    if (cost < bestCost) {
+      best = candidate;
       bestCost = cost;
     }
   }
-  return best ?? firstAxisEnd(line, ways);
+  return best && { point: best.point, reason: best.reason, length: best.length };
+}
+
+/** As many are shown at most; the nearest to the pointer. */
+const MOST_ENDS = 24;
+
+/**
+ * Where a line from the start may end on the plane, round the pointer: along axes, on slopes and at sixty degrees.
+ * @param within modules from the pointer.
+ */
+export function legalEnds(context: SnapContext & { readonly start: Vec3 }, within: number): Vec3[] {
+  const { start, plane, lockAxis } = context;
+  const cursor = lockAxis
+    ? context.cursor
+    : projectToPlane(context.cursor, { normal: plane.normal, through: start });
+  const reach = subtract(cursor, start);
+  const found = new Map<string, { point: Vec3; gap: number }>();
+  for (const { direction } of lockAxis ? bothWays(lockAxis) : waysInPlane(context)) {
+    const middle = dot(reach, direction.along);
+    const first = Math.max(1, Math.ceil((middle - within) / direction.step));
+    for (let n = first; n * direction.step <= middle + within; n++) {
+      const point = walk(start, direction, n);
+      const gap = distance(point, cursor);
+      if (gap <= within) {
+        found.set(point.map((x) => x.toFixed(3)).join(' '), { point, gap });
+      }
+    }
+  }
+  return [...found.values()]
+    .sort((a, b) => a.gap - b.gap)
+    .slice(0, MOST_ENDS)
+    .map(({ point }) => point);
 }
 
 interface Started extends SnapContext {

@@ -1,6 +1,7 @@
 import { dot, length, normalize } from '../geometry/vec.ts';
 import { countParts, type PartCount } from '../model/counts.ts';
 import type { Model } from '../model/model.ts';
+import { PARTS_A_STEP } from '../model/step-size.ts';
 import type { Addition, AssemblyGroup, AssemblyPlan, AssemblyStep } from './assembly-plan.ts';
 
 /** A finished subassembly that a step puts in, or several that are alike. */
@@ -33,18 +34,39 @@ export function timesOf(group: AssemblyGroup): number {
   return 1 + group.copies.length;
 }
 
-/** No page asks for more than this at once. */
-const MAX_ADDITIONS = 3;
+/** Steps of about one size: none asks for more than `most` at once, and neighbours that may be one step are. */
+export function evenSteps(steps: readonly AssemblyStep[], most: number): AssemblyStep[] {
+  return joinSteps(
+    steps.flatMap((step) => splitStep(step, most)),
+    most,
+  );
+}
+
+/** Hands that hold: what was built apart counts as one. */
+function sizeOf(adds: readonly Addition[]): number {
+  return adds.reduce((sum, { subgroup, parts }) => sum + (subgroup === null ? parts.length : 1), 0);
+}
+
+/** A step in as many pages of like size as it takes, in its own order. What goes in as one stays so. */
+function splitStep(step: AssemblyStep, most: number): AssemblyStep[] {
+  const pages = Math.min(step.adds.length, Math.ceil(sizeOf(step.adds) / most));
+  return pages <= 1
+    ? [step]
+    : Array.from({ length: pages }, (_, i) => {
+        const at = (page: number) => Math.round((page * step.adds.length) / pages);
+        return { ...step, adds: step.adds.slice(at(i), at(i + 1)) };
+      });
+}
 
 /**
  * Joins neighbouring steps of one group into pages of a few parts: single parts that come from one side,
  * or the first part with what is put on it. The order of the plan stays.
  */
-export function joinSteps(steps: readonly AssemblyStep[]): AssemblyStep[] {
+function joinSteps(steps: readonly AssemblyStep[], most: number): AssemblyStep[] {
   const joined: AssemblyStep[] = [];
   for (const step of steps) {
     const last = joined.at(-1);
-    if (last && fitTogether(last, step)) {
+    if (last && fitTogether([...last.adds, ...step.adds], most) && last.group === step.group) {
       joined[joined.length - 1] = { ...step, adds: [...last.adds, ...step.adds] };
     } else {
       joined.push(step);
@@ -53,8 +75,7 @@ export function joinSteps(steps: readonly AssemblyStep[]): AssemblyStep[] {
   return joined;
 }
 
-function fitTogether(a: AssemblyStep, b: AssemblyStep): boolean {
-  const adds = [...a.adds, ...b.adds];
+function fitTogether(adds: readonly Addition[], most: number): boolean {
   const plain = adds.every(
     (add) => add.subgroup === null && !add.forced && add.via.length === 0 && add.parts.length === 1,
   );
@@ -63,16 +84,23 @@ function fitTogether(a: AssemblyStep, b: AssemblyStep): boolean {
   const oneSide = moving.every(
     (travel) => first && dot(normalize(travel), normalize(first)) > 0.99,
   );
-  return a.group === b.group && adds.length <= MAX_ADDITIONS && plain && oneSide;
+  return adds.length <= most && plain && oneSide;
 }
 
-/** The steps of a plan with what each needs to be drawn. */
-export function buildSteps(plan: AssemblyPlan, model: Model): BuildStep[] {
+/**
+ * The steps of a plan with what each needs to be drawn.
+ * @param most parts a step.
+ */
+export function buildSteps(
+  plan: AssemblyPlan,
+  model: Model,
+  most: number = PARTS_A_STEP.usual,
+): BuildStep[] {
   const groups = new Map(plan.groups.map((group) => [group.id, group]));
   const held = new Map<number, number[]>();
   const done = new Map<number, number>();
   const totals = new Map<number, number>();
-  const steps = joinSteps(plan.steps);
+  const steps = evenSteps(plan.steps, most);
   for (const { group } of steps) {
     totals.set(group, (totals.get(group) ?? 0) + 1);
   }

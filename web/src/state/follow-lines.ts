@@ -31,19 +31,20 @@ export function followLines(move: Move): SketchDocument {
   };
 }
 
-function passes(line: SketchLine | undefined, at: Vec3): boolean {
+/** Whether a place is a node of a line, its ends included. */
+export function passesNode(line: SketchLine | undefined, at: Vec3): boolean {
   return line !== undefined && lineNodes(line).some((node) => samePoint(node, at, 1e-3));
 }
 
 /** The joint where its lines meet now; none when they meet no more. */
 function jointAfter(joint: SketchJoint, { before, lines, moved, point }: Move): SketchJoint[] {
   const named = joint.between?.flat() ?? [...before.lines.keys()];
-  const of = named.filter((index) => passes(before.lines[index], joint.at));
+  const of = named.filter((index) => passesNode(before.lines[index], joint.at));
   const goes = of.length > 0 && of.every((index) => moved.has(index));
   const after = goes
     ? { ...joint, at: point(joint.at), axis: directionAfter(joint.axis, point) }
     : joint;
-  return of.every((index) => passes(lines[index], after.at)) ? [after] : [];
+  return of.every((index) => passesNode(lines[index], after.at)) ? [after] : [];
 }
 
 function symmetryAfter(symmetry: SketchSymmetry, { point }: Move): SketchSymmetry {

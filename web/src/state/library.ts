@@ -101,7 +101,9 @@ export class SketchLibrary {
   async begin(): Promise<KeptState | null> {
     const { store, tab } = this.#options;
     await this.#takeOver();
-    const ids = (await store.read(readHeads)).map(({ id }) => id);
+    const heads = await store.read(readHeads);
+    this.#writer.notBefore(heads[0]?.changed ?? 0);
+    const ids = heads.map(({ id }) => id);
     const wanted = tab?.getItem(TAB_KEY) ?? '';
     const order = ids.includes(wanted) ? [wanted, ...ids.filter((id) => id !== wanted)] : ids;
     for (const id of order) {

@@ -1,4 +1,5 @@
 import { effect, type Signal, signal } from '@preact/signals';
+import { PARTS_A_STEP } from '../model/step-size.ts';
 import { readSearchFields, type SearchSettings, USUAL_SEARCH } from './search-settings.ts';
 
 /** What the interface can be shown in. */
@@ -14,6 +15,8 @@ export interface Preferences extends SearchSettings {
   readonly projection: 'perspective' | 'orthographic';
   /** Whether the first task is guided; over once it is done or waved away. */
   readonly guide: boolean;
+  /** What a step of the instructions asks for at most. */
+  readonly partsAStep: number;
 }
 
 export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
@@ -25,6 +28,7 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   colourBy: 'part',
   projection: 'perspective',
   guide: true,
+  partsAStep: PARTS_A_STEP.usual,
 });
 
 type PageFields = Omit<Preferences, keyof SearchSettings>;
@@ -38,6 +42,11 @@ const ACCEPTS: { readonly [K in keyof PageFields]: (value: unknown) => boolean }
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
   guide: (value) => typeof value === 'boolean',
+  partsAStep: (value) =>
+    typeof value === 'number' &&
+    Number.isInteger(value) &&
+    value >= PARTS_A_STEP.least &&
+    value <= PARTS_A_STEP.most,
 };
 
 /** The part of the browser's storage that is used here. */

@@ -204,6 +204,11 @@ export class SketchWriter {
     this.#options.onForked(track);
   }
 
+  /** Other tabs have written until then: what is written here from now on is later, also within a millisecond. */
+  notBefore(stamp: number): void {
+    this.#stamp = Math.max(this.#stamp, stamp);
+  }
+
   /** Later than whatever this tab wrote before, even within a millisecond. */
   #now(): number {
     this.#stamp = Math.max(Date.now(), this.#stamp + 1);

@@ -1,5 +1,6 @@
 import { isLegalLine } from '../geometry/legal-line.ts';
 import { distance, samePoint, type Vec3 } from '../geometry/vec.ts';
+import { beamFor } from '../model/beam-for.ts';
 import { addLines } from '../state/edits.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { PointTool } from './point-tool.ts';
@@ -67,6 +68,11 @@ export class LineTool extends PointTool {
 
   protected measure(to: Vec3): string {
     const from = this.points.at(-1) ?? to;
-    return String(Math.round(distance(from, to) * 100) / 100);
+    const length = Math.round(distance(from, to) * 100) / 100;
+    if (!Number.isInteger(length) || length < 1) {
+      return String(length);
+    }
+    const { kind, holes } = beamFor(length);
+    return fillWords(this.context.words.draw.becomes[kind], { n: length, holes });
   }
 }

@@ -250,6 +250,7 @@ export abstract class PointTool implements Tool {
               state: ok ? 'ok' : 'invalid',
               snap: this.located.snap,
               more,
+              ghosts: this.typed === '' ? (this.located.others ?? []) : [],
             }
           : null,
       label: to && moved ? this.#label(to, ok) : null,

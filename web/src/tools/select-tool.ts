@@ -1,8 +1,10 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { add, scale, subtract, unitVector, type Vec3 } from '../geometry/vec.ts';
+import { AXIS_NAMES, add, scale, subtract, unitVector, type Vec3 } from '../geometry/vec.ts';
 import type { SketchDocument } from '../model/sketch.ts';
+import { pointKey } from '../model/sketch.ts';
 import { chainedLines } from '../state/connectivity.ts';
 import { mapLines, shift } from '../state/edits.ts';
+import { stretch, tearOff } from '../state/stretch.ts';
 import type { GuidePlane, Navigation, ScreenPoint } from '../view/view-types.ts';
 import { meetGuide, planeAxes, planeAxis } from './guide.ts';
 import {
@@ -13,8 +15,10 @@ import {
   type ToolContext,
   type ToolOverlay,
 } from './tool.ts';
+import { fillWords } from './tool-words.ts';
 
 const LINE_PIXELS = 10;
+const END_PIXELS = 9;
 const DRAG_PIXELS = 4;
 
 /** What a press has begun. */
@@ -23,6 +27,8 @@ type Gesture =
       readonly kind: 'press';
       readonly at: ScreenPoint;
       readonly line: number | null;
+      /** The end of lines that was pressed. */
+      readonly end: Vec3 | null;
       readonly double: boolean;
     }
   | { readonly kind: 'box'; readonly from: ScreenPoint; readonly keep: ReadonlySet<number> }
@@ -31,9 +37,13 @@ type Gesture =
       readonly before: SketchDocument;
       readonly plane: GuidePlane;
       readonly grabbed: Vec3;
+      readonly apply: (by: Vec3) => { readonly sketch: SketchDocument; readonly along: number };
     };
 
-/** Select by click, by Shift and by a box; drag the selection; arrow keys move it by one. */
+/**
+ * Select by click, by Shift and by a box; drag the selection or an end of lines, and what is joined to it follows along
+ * legal lengths, unless Alt tears it off; arrow keys move the selection by one.
+ */
 export class SelectTool implements Tool {
   readonly id = 'select';
   readonly #context: ToolContext;
@@ -51,13 +61,17 @@ export class SelectTool implements Tool {
   navigation(at: PointerInput): Navigation {
     const line = this.#lineAt(at);
     const onSelection = line !== null && this.#context.store.selection.value.has(line);
-    return at.shift || onSelection ? 'tool' : 'orbit';
+    return at.shift || onSelection || this.#endAt(at) ? 'tool' : 'orbit';
   }
 
   pointerMove(at: PointerInput): void {
     const gesture = this.#gesture;
     if (!gesture) {
-      this.#show({ hovered: this.#lineAt(at) });
+      const end = this.#endAt(at);
+      this.#show({
+        hovered: this.#lineAt(at),
+        ...(end ? { cursor: end, preview: handle(end) } : {}),
+      });
       return;
     }
     if (gesture.kind === 'press' && farApart(gesture.at, at)) {
@@ -70,7 +84,8 @@ export class SelectTool implements Tool {
   }
 
   pointerDown(at: PointerInput): void {
-    this.#gesture = { kind: 'press', at, line: this.#lineAt(at), double: at.double ?? false };
+    const [line, end] = [this.#lineAt(at), this.#endAt(at)];
+    this.#gesture = { kind: 'press', at, line, end, double: at.double ?? false };
   }
 
   pointerUp(at: PointerInput): void {
@@ -155,15 +170,13 @@ export class SelectTool implements Tool {
     const { store, view, plane } = this.#context;
     const selection = store.selection.value;
     const picked = gesture.line !== null && selection.has(gesture.line);
-    const grabbed = picked ? view.pickAt(gesture.at).line?.point : undefined;
+    const grabbed = picked ? view.pickAt(gesture.at).line?.point : (gesture.end ?? undefined);
     if (grabbed) {
       const axis = planeAxis(plane.value, view.viewDirection());
-      this.#gesture = {
-        kind: 'move',
-        before: store.sketch.value,
-        plane: { axis, through: grabbed },
-        grabbed,
-      };
+      const before = store.sketch.value;
+      const apply = this.#pull(before, gesture, { picked, alone: at.alt === true });
+      const through = { axis, through: grabbed };
+      this.#gesture = { kind: 'move', before, plane: through, grabbed, apply };
       this.pointerMove(at);
       return;
     }
@@ -181,9 +194,58 @@ export class SelectTool implements Tool {
     }
     const d = subtract(hit, gesture.grabbed);
     const by: Vec3 = [Math.round(d[0]), Math.round(d[1]), Math.round(d[2])];
-    const moved = mapLines(gesture.before, store.selection.value, shift(by));
-    store.commit(words.edits.move, moved, 'later');
-    this.#show({ plane: { axis: gesture.plane.axis, through: add(gesture.grabbed, by) } });
+    const { sketch, along } = gesture.apply(by);
+    store.commit(words.edits.move, sketch, 'later');
+    const to = add(gesture.grabbed, by);
+    const note = along > 0 ? fillWords(words.draw.follow, { n: along }) : '';
+    this.#show({
+      plane: { axis: gesture.plane.axis, through: to },
+      label: { at: to, main: vectorText(by), note, kind: 'axis' },
+    });
+  }
+
+  /** What a drag by a vector makes of the drawing, and how many lines besides the dragged ones it takes along. */
+  #pull(
+    before: SketchDocument,
+    { end, line }: Extract<Gesture, { kind: 'press' }>,
+    { picked, alone }: { readonly picked: boolean; readonly alone: boolean },
+  ): Extract<Gesture, { kind: 'move' }>['apply'] {
+    const selection = this.#context.store.selection.value;
+    if (alone) {
+      return (by) => ({
+        sketch:
+          picked || end === null || line === null
+            ? mapLines(before, selection, shift(by))
+            : tearOff(before, line, end, by),
+        along: 0,
+      });
+    }
+    const grabbed = picked ? selection : new Set<number>();
+    const points = picked
+      ? before.lines.flatMap(({ from, to }, i) => (selection.has(i) ? [from, to] : []))
+      : end
+        ? [end]
+        : [];
+    return (by) => {
+      if (by.every((x) => x === 0)) {
+        return { sketch: before, along: 0 };
+      }
+      const { sketch, changed, carried } = stretch(before, points, by);
+      const along = [...changed, ...carried].filter((i) => !grabbed.has(i)).length;
+      return { sketch, along };
+    };
+  }
+
+  /** An end of lines under the pointer. */
+  #endAt(at: PointerInput): Vec3 | null {
+    const { store, view } = this.#context;
+    const node = view.pickAt(at).node;
+    const ends = (index: number) => {
+      const line = store.sketch.value.lines[index];
+      return line ? [pointKey(line.from), pointKey(line.to)] : [];
+    };
+    const isEnd = node?.lines.some((index) => ends(index).includes(pointKey(node.at)));
+    return node && isEnd && node.distance <= END_PIXELS ? node.at : null;
   }
 
   #linesInBox(a: ScreenPoint, b: ScreenPoint): number[] {
@@ -228,6 +290,20 @@ export class SelectTool implements Tool {
   #show(part: Partial<ToolOverlay>): void {
     this.#overlay.value = { ...EMPTY_OVERLAY, ...part };
   }
+}
+
+/** A mark on the end that would be pulled. */
+function handle(at: Vec3): ToolOverlay['preview'] {
+  return { from: at, to: null, state: 'ok', snap: 'node' };
+}
+
+/** Such as `X +2, Z −1`. */
+function vectorText(by: Vec3): string {
+  const parts = AXIS_NAMES.flatMap((name, k) => {
+    const x = by[k] ?? 0;
+    return x === 0 ? [] : [`${name.toUpperCase()} ${x > 0 ? '+' : '\u2212'}${Math.abs(x)}`];
+  });
+  return parts.length > 0 ? parts.join(', ') : '0';
 }
 
 function farApart(a: ScreenPoint, b: ScreenPoint): boolean {

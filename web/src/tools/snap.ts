@@ -1,6 +1,6 @@
 import { axisOf, isLegalLine } from '../geometry/legal-line.ts';
 import { nearestAlongAxis } from '../geometry/plane.ts';
-import { type SnapReason, snapEnd } from '../geometry/snap-end.ts';
+import { legalEnds, type SnapReason, snapEnd } from '../geometry/snap-end.ts';
 import {
   AXIS_NAMES,
   type AxisName,
@@ -22,6 +22,8 @@ export interface Located {
   readonly snap: SnapKind;
   /** The axis that a line from the last point runs along, if it runs along one. */
   readonly axis: AxisName | null;
+  /** Other places round the pointer where it could be. */
+  readonly others?: readonly Vec3[];
 }
 
 /** A point is drawn to an existing node, wherever it is in depth, within so many pixels. */
@@ -30,6 +32,9 @@ const NODE_PIXELS = 12;
 const OFF_PLANE_PIXELS = 7;
 /** How far from the pointer an end off the axes may be: pixels, but within these modules. */
 const REACH = { pixels: 16, least: 0.45, most: 1.2 } as const;
+
+/** Ends that could be chosen are shown so far from the pointer, modules. */
+const OTHERS_WITHIN = 2.6;
 
 /** The view's word for the geometry's. */
 const KINDS: Readonly<Record<SnapReason, SnapKind>> = {
@@ -123,15 +128,17 @@ export function locateEnd(
   if (!cursor) {
     return offPlane;
   }
-  const snap = snapEnd({
+  const context = {
     start: from,
     plane: { normal: plane.axis, through: from },
     lines,
     lockAxis: null,
     cursor,
     tolerance: reachAt(view, cursor),
-  });
-  return { point: snap.point, snap: KINDS[snap.reason], axis: axisOf(from, snap.point) };
+  };
+  const { point, reason } = snapEnd(context);
+  const others = legalEnds(context, OTHERS_WITHIN);
+  return { point, snap: KINDS[reason], axis: axisOf(from, point), others };
 }
 
 /** The end that a typed length gives: as far along the present direction. */

@@ -1,3 +1,4 @@
+import type { BeamKind } from '../model/beam-for.ts';
 import type { SnapKind } from '../view/view-types.ts';
 import type { ToolId } from './tool.ts';
 
@@ -22,6 +23,9 @@ export interface ToolWords {
     readonly lineDrawn: string;
     readonly noWholeLength: string;
     readonly measured: string;
+    readonly follow: string;
+    /** What a line becomes, by how many beams that takes. */
+    readonly becomes: Readonly<Record<BeamKind, string>>;
   };
   readonly edits: {
     readonly draw: string;

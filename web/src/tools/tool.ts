@@ -28,6 +28,7 @@ export type PlaneMode = 'auto' | AxisName;
 /** One press, move or release of the first button, a pen or one finger. */
 export interface PointerInput extends ScreenPoint {
   readonly shift: boolean;
+  readonly alt?: boolean;
   readonly kind: 'mouse' | 'pen' | 'touch';
   /** The second press of a double click. */
   readonly double?: boolean;

@@ -3,6 +3,7 @@ import { NEEDED_PARTS, SET_PARTS } from '../model/brick-set.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { Dialog } from './dialog.tsx';
 import { Icon } from './icon.tsx';
+import { OwnedPreview } from './owned-preview.tsx';
 import { usePage } from './page-context.ts';
 import { partName } from './text/part-names.ts';
 import { text } from './text.ts';
@@ -15,6 +16,14 @@ export function BrickSet() {
   const { preferences } = page;
   const { off, owned } = preferences.value;
   const counted = Object.keys(owned).length > 0;
+  const read = page.ownedList.value;
+  if (read) {
+    return (
+      <Dialog title={text.bricks.title} class="bricks">
+        <OwnedPreview read={read} />
+      </Dialog>
+    );
+  }
   return (
     <Dialog title={text.bricks.title} class="bricks">
       <div class="dialog-bar">

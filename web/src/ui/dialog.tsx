@@ -16,8 +16,15 @@ export function Dialog(props: {
   useLayoutEffect(() => {
     element.current?.showModal();
   }, []);
+  const left = useRef(false);
+  // At once as well, and not when the browser comes to tell: a key that comes right after is the page's, or asks for
+  // the next sheet. Closed first, so that the focus goes back.
   const close = () => {
-    dialog.value = null;
+    if (!left.current) {
+      left.current = true;
+      element.current?.close();
+      dialog.value = null;
+    }
   };
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: Escape closes it; the click is on the veil
@@ -25,6 +32,7 @@ export function Dialog(props: {
       ref={element}
       class={`dialog ${props.class ?? ''}`}
       aria-label={props.title}
+      onCancel={close}
       onClose={close}
       onClick={(event) => {
         if (event.target === element.current) {

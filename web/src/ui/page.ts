@@ -4,11 +4,15 @@ import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { Model } from '../model/model.ts';
+import type { PartsList } from '../model/parts-list.ts';
 import type { CheckItem, CheckReport, Problem, Report, WellBuilt } from '../model/report.ts';
 import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
+import type { MadeModel } from '../solver/made-model.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
+import type { LegalOffer } from '../state/legal-offer.ts';
 import type { LibraryEntry } from '../state/library.ts';
 import type { PagePreferences } from '../state/page-preferences.ts';
+import type { SearchSettings } from '../state/search-settings.ts';
 import type { SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
@@ -84,6 +88,8 @@ export interface ShownModel {
   readonly model: Model;
   /** The sketch it was made for; null for a model from a file that names none. */
   readonly sketch: SketchDocument | null;
+  /** The parts that its search might use (partsText); null for a model from a file. */
+  readonly parts: string | null;
   /** Null while the search is under way. */
   readonly report: Report | null;
   readonly check: CheckReport | null;
@@ -105,6 +111,12 @@ export interface Example {
   readonly sketch: SketchDocument;
 }
 
+export interface OwnedList {
+  /** Of the file. */
+  readonly name: string;
+  readonly list: PartsList;
+}
+
 export interface Toast {
   readonly id: number;
   readonly kind: 'info' | 'error';
@@ -115,10 +127,12 @@ export interface Toast {
 
 export type DialogName =
   | 'menu'
+  | 'alternatives'
   | 'bricks'
   | 'palette'
   | 'help'
   | 'examples'
+  | 'legal'
   | 'sketches'
   | 'about'
   | null;
@@ -146,6 +160,8 @@ export interface Page {
   readonly result: ReadonlySignal<ResultState | null>;
   /** The model was made for another sketch than the one on screen. */
   readonly stale: ReadonlySignal<boolean>;
+  /** What has changed since the model on screen was searched for. */
+  readonly staleBy: ReadonlySignal<'drawing' | 'parts' | null>;
   /** The sketch is small enough to be solved after each edit. */
   readonly small: ReadonlySignal<boolean>;
   readonly catalogue: Catalogue;
@@ -175,6 +191,12 @@ export interface Page {
   readonly foundSymmetries: ReadonlySignal<readonly FoundSymmetry[]>;
   /** The one that is shown because somebody is about to confirm it. */
   readonly proposedSymmetry: Signal<FoundSymmetry | null>;
+  /** The nearest drawing to a refused one, while a person looks at it. */
+  readonly legalOffer: ReadonlySignal<LegalOffer | null>;
+  /** Takes that. */
+  takeLegal(): void;
+  /** A list of parts that was read, until a person takes it or not. */
+  readonly ownedList: Signal<OwnedList | null>;
   readonly panelOpen: Signal<boolean>;
   readonly dropping: ReadonlySignal<boolean>;
   readonly webglMissing: ReadonlySignal<boolean>;
@@ -200,6 +222,8 @@ export interface Page {
   /** Gives the keys to the drawing. */
   focusDrawing(): void;
   openExample(example: Example): void;
+  /** Shows another model of the drawing, and searches with its preset and seed from then on. */
+  takeModel(made: MadeModel, search: Pick<SearchSettings, 'preset' | 'seed'>): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
   /** Lets a person choose a list of the parts that there are. */

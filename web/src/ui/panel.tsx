@@ -43,6 +43,7 @@ export function Panel() {
         <Icon name="chevron" />
       </button>
       <div class="panel-body">
+        <h2 class="visually-hidden">{text.app.panel}</h2>
         <VerdictCard />
         <SolveSection />
         {place === 'check' ? <CheckPanel /> : null}
@@ -62,6 +63,7 @@ function DrawPanel() {
     <>
       {long ? <SearchUnderWay /> : null}
       {shown && !long ? <ResultSection result={shown} /> : null}
+      {shown && !long ? <Alternatives /> : null}
       {shown && !long ? <Parts result={shown} /> : null}
       {shown && !long ? <Downloads /> : null}
       <SearchChart />
@@ -109,6 +111,14 @@ function SearchChart() {
       <ProgressChart points={chart} />
       <LayoutList />
     </Section>
+  );
+}
+
+function Alternatives() {
+  return (
+    <section class="alternatives-open">
+      <CommandButton id="alternatives" words={text.result.alternatives} class="secondary wide" />
+    </section>
   );
 }
 

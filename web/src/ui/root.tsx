@@ -1,7 +1,9 @@
 import { About } from './about.tsx';
+import { AlternativesSheet } from './alternatives-sheet.tsx';
 import { BrickSet } from './brick-set.tsx';
 import { Examples } from './examples.tsx';
 import { Help } from './help.tsx';
+import { LegalSheet } from './legal-sheet.tsx';
 import { Menu } from './menu.tsx';
 import type { Page } from './page.ts';
 import { PageProvider, usePage } from './page-context.ts';
@@ -74,8 +76,12 @@ function Dialogs() {
       return <Examples />;
     case 'sketches':
       return <Sketches />;
+    case 'alternatives':
+      return <AlternativesSheet />;
     case 'bricks':
       return <BrickSet />;
+    case 'legal':
+      return <LegalSheet />;
     case 'about':
       return <About />;
     case null:

@@ -17,3 +17,12 @@ export function settingsOf(
   };
   return { seed, preset, set };
 }
+
+/** Settings that say which parts there are, and how many. */
+const OF_PARTS = /^(?:owned\..*|lengths|bent|frames|axles|connectors)$/;
+
+/** What settings say of the parts that a search may use, as text: equal texts, equal parts. */
+export function partsText({ set = {} }: SolveSettings): string {
+  const ofParts = Object.entries(set).filter(([key]) => OF_PARTS.test(key));
+  return JSON.stringify(ofParts.sort(([a], [b]) => (a < b ? -1 : 1)));
+}

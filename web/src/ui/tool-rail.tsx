@@ -20,7 +20,7 @@ export function ToolRail() {
   const rail = useRef<HTMLDivElement>(null);
   useOverflowCue(rail);
   return (
-    <div class="rail-frame">
+    <section class="rail-frame" aria-label={text.app.tools}>
       <div
         ref={rail}
         class="tool-rail"
@@ -36,7 +36,7 @@ export function ToolRail() {
           </div>
         ))}
       </div>
-    </div>
+    </section>
   );
 }
 

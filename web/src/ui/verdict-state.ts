@@ -69,11 +69,13 @@ function lampsFor(page: Page, shown: ResultState | null): readonly Lamp[] {
 
 function stale(page: Page): CardState {
   const coming = page.preferences.value.autoSolve && page.small.value;
-  const words = coming ? text.verdict.staleAuto : text.verdict.staleText;
+  const { verdict } = text;
+  const ofParts = page.staleBy.value === 'parts';
+  const past = ofParts ? verdict.stalePartsText : verdict.staleText;
   return {
     tone: 'none',
-    title: text.verdict.stale,
-    words,
+    title: ofParts ? verdict.staleParts : verdict.stale,
+    words: coming ? verdict.staleAuto : past,
     first: null,
     lamps: allLamps(coming ? 'busy' : 'none'),
     final: true,

@@ -80,6 +80,8 @@ export interface LinePreview {
   readonly snap?: SnapKind;
   /** Further lines that would be drawn with it: mirrored ones, sides of a box. */
   readonly more?: readonly (readonly [Vec3, Vec3])[];
+  /** Other places where it could end, pale. */
+  readonly ghosts?: readonly Vec3[];
   /** Dashed lines that show what the snap refers to. */
   readonly guides?: readonly (readonly [Vec3, Vec3])[];
 }

@@ -35,6 +35,16 @@ export function solveCommands(actions: Actions): Command[] {
       },
     },
     {
+      id: 'alternatives',
+      label: text.commands.alternatives,
+      group: 'solve',
+      icon: 'gallery',
+      when: () => state.store.sketch.value.lines.length > 0,
+      run: () => {
+        state.dialog.value = 'alternatives';
+      },
+    },
+    {
       id: 'bricks',
       label: text.commands.bricks,
       group: 'solve',

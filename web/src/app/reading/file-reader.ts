@@ -1,10 +1,12 @@
 import { bad, type Outcome } from '../../base/outcome.ts';
+import type { Part } from '../../model/catalogue.ts';
 import { text } from '../../ui/text.ts';
 import type { ParsedFile } from './parse-file.ts';
 
 export interface ReadRequest {
   readonly content: string;
-  readonly parts: readonly string[];
+  /** All that there are. */
+  readonly parts: readonly Part[];
 }
 
 /** Reads the text of a file. Rejects with the signal's reason at once when it is aborted. */

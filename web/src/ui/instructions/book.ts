@@ -16,6 +16,8 @@ export interface Book {
   readonly steps: readonly BuildStep[];
   /** For each step, from the model towards the eye. */
   readonly directions: readonly Vec3[];
+  /** What a step asks for at most. */
+  readonly most: number;
 }
 
 /** Whether the reader must turn the model before a step. */
@@ -31,11 +33,10 @@ export function isTurned(book: Book, index: number): boolean {
 }
 
 /** Asks the core for the order of building. @throws Error with one sentence. */
-export async function makeBook(
-  title: string,
-  source: { readonly json: string; readonly model: Model },
-  shelf: MeshShelf,
-): Promise<Book> {
+export async function askPlan(source: {
+  readonly json: string;
+  readonly model: Model;
+}): Promise<AssemblyPlan> {
   const reply = await roomSolver().exportModel(source.json, 'assembly.json');
   if (reply.outcome === 'refused') {
     throw new Error(reply.message);
@@ -44,16 +45,30 @@ export async function makeBook(
   if (!plan.ok) {
     throw new Error(plan.message);
   }
-  const steps = buildSteps(plan.value, source.model);
+  return plan.value;
+}
+
+/** What a book is made of. */
+export interface BookSource {
+  readonly title: string;
+  readonly model: Model;
+  readonly shelf: MeshShelf;
+  readonly plan: AssemblyPlan;
+}
+
+/** @param most parts a step. */
+export async function makeBook(source: BookSource, most: number): Promise<Book> {
+  const { model, shelf } = source;
+  const steps = buildSteps(source.plan, model, most);
   const last = new Map<number, Vec3>();
   const directions: Vec3[] = [];
   for (const step of steps) {
     const before = last.get(step.group.id) ?? ISO_OUT;
-    const direction = chooseDirection(source.model, step, before, shelf);
+    const direction = chooseDirection(model, step, before, shelf);
     last.set(step.group.id, direction);
     directions.push(direction);
     // Pictures are looked at one by one: the page must stay alive between them.
     await new Promise((resolve) => setTimeout(resolve));
   }
-  return { title, model: source.model, shelf, plan: plan.value, steps, directions };
+  return { ...source, steps, directions, most };
 }

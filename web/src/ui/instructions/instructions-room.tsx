@@ -1,4 +1,5 @@
 import { useEffect, useMemo, useState } from 'preact/hooks';
+import { PARTS_A_STEP } from '../../model/step-size.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { Segmented } from '../controls.tsx';
@@ -6,8 +7,7 @@ import { modelComing } from '../model-coming.ts';
 import { NeedsModel } from '../needs-model.tsx';
 import type { ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
-import type { Book } from './book.ts';
-import { makeBook } from './book.ts';
+import { askPlan, type Book, type BookSource, makeBook } from './book.ts';
 import { FilmView } from './film-view.tsx';
 import { instructionWords as words } from './instruction-words.ts';
 import { PartsView } from './parts-view.tsx';
@@ -41,26 +41,38 @@ export function InstructionsRoom() {
   );
 }
 
-function Instructions({ shown, title }: { readonly shown: ShownModel; readonly title: string }) {
+/** The book of a model, made again when its steps are to be larger or smaller; the last one stays until then. */
+function useBook(shown: ShownModel, title: string, most: number): Loaded {
   const { catalogue } = usePage();
-  const shelf = useMemo(() => new MeshShelf(catalogue), [catalogue]);
   const [loaded, setLoaded] = useState<Loaded>({ state: 'working' });
-  const [tab, setTab] = useState<Tab>('steps');
+  const source = useMemo(async (): Promise<BookSource> => {
+    const shelf = new MeshShelf(catalogue);
+    return { title, model: shown.model, shelf, plan: await askPlan(shown) };
+  }, [catalogue, shown, title]);
   useEffect(() => {
     let open = true;
-    makeBook(title, shown, shelf).then(
-      (book) => open && setLoaded({ state: 'ready', book }),
-      (error: unknown) =>
-        open &&
-        setLoaded({
-          state: 'failed',
-          message: error instanceof Error ? error.message : String(error),
-        }),
-    );
+    source
+      .then((ready) => makeBook(ready, most))
+      .then(
+        (book) => open && setLoaded({ state: 'ready', book }),
+        (error: unknown) =>
+          open &&
+          setLoaded({
+            state: 'failed',
+            message: error instanceof Error ? error.message : String(error),
+          }),
+      );
     return () => {
       open = false;
     };
-  }, [shown, shelf, title]);
+  }, [source, most]);
+  return loaded;
+}
+
+function Instructions({ shown, title }: { readonly shown: ShownModel; readonly title: string }) {
+  const { partsAStep } = usePage().preferences.value;
+  const [tab, setTab] = useState<Tab>('steps');
+  const loaded = useBook(shown, title, partsAStep);
   if (loaded.state === 'working') {
     return (
       <p class="instructions-note" role="status">
@@ -89,6 +101,7 @@ function Instructions({ shown, title }: { readonly shown: ShownModel; readonly t
           value={tab}
           onChange={setTab}
         />
+        <StepSize />
         <PdfButtons book={book} />
       </div>
       {book.plan.assemblable ? null : (
@@ -96,9 +109,34 @@ function Instructions({ shown, title }: { readonly shown: ShownModel; readonly t
           {words.stuck}
         </p>
       )}
-      {tab === 'steps' ? <StepsView book={book} json={shown.json} /> : null}
+      {/* Where a reader is means nothing among other steps. */}
+      {tab === 'steps' ? <StepsView key={book.most} book={book} json={shown.json} /> : null}
       {tab === 'parts' ? <PartsView book={book} /> : null}
       {tab === 'film' ? <FilmView book={book} /> : null}
     </div>
+  );
+}
+
+/** From one part a step, for a beginner, to six. */
+function StepSize() {
+  const { preferences } = usePage();
+  const { partsAStep } = preferences.value;
+  return (
+    <label class="step-size">
+      <span>{words.partsAStep}</span>
+      <input
+        type="range"
+        min={PARTS_A_STEP.least}
+        max={PARTS_A_STEP.most}
+        step={1}
+        value={partsAStep}
+        aria-valuetext={fillWords(words.partsAStepValue, { n: partsAStep })}
+        onInput={(event) => {
+          const chosen = Number(event.currentTarget.value);
+          preferences.value = { ...preferences.peek(), partsAStep: chosen };
+        }}
+      />
+      <output>{partsAStep}</output>
+    </label>
   );
 }

@@ -29,7 +29,7 @@ interface Reading {
 
 /** Where the reader is, and what is done. */
 function useReading(book: Book, json: string): Reading {
-  const key = modelKey(json);
+  const key = modelKey(json, book.most);
   const [ticks, setTicks] = useState(() => readTicks(key, storage()));
   const last = book.steps.length - 1;
   const [index, setIndex] = useState(() => {

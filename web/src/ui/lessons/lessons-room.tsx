@@ -1,6 +1,7 @@
 import type { ComponentType } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
+import { LessonPicture } from './lesson-picture.tsx';
 import { LESSONS, type LessonId } from './lesson-table.ts';
 import { lessonWords as words } from './lesson-words.ts';
 import { TeacherPage } from './teacher-page.tsx';
@@ -100,8 +101,9 @@ function LessonList({ go }: { readonly go: (place: Place) => void }) {
         {LESSONS.map(({ id }) => (
           <li key={id}>
             <button type="button" class="lesson-card" onClick={() => go(id)}>
+              <LessonPicture id={id} />
               <strong>{words.lessons[id][0]}</strong>
-              <span class="quiet">{words.lessons[id][1]}</span>
+              <span class="quiet">{words.lessons[id][2]}</span>
               <small>{fillWords(words.minutes, { n: MINUTES })}</small>
             </button>
           </li>

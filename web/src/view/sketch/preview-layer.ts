@@ -17,6 +17,9 @@ const SNAP_SHAPES: Readonly<Record<SnapKind, DotShape>> = {
   sixty: 'triangle',
 };
 
+/** Pixels. */
+const GHOST = 8;
+
 /** The line being drawn, its nodes, its snap mark, and the lines that the snap refers to. */
 export class PreviewLayer {
   readonly group = new Group();
@@ -37,7 +40,10 @@ export class PreviewLayer {
     const snap = preview?.snap ? theme.snaps[preview.snap] : colour;
     this.#line.set(preview ? previewSegments(preview, colour) : []);
     this.#guides.set((preview?.guides ?? []).map(([from, to]) => ({ from, to, colour: snap })));
-    this.#dots.set(preview ? previewDots(preview, colour, snap) : []);
+    const ghosts = (preview?.ghosts ?? []).map(
+      (at): Dot => ({ at, size: GHOST, colour: theme.ghost, ring: true }),
+    );
+    this.#dots.set(preview ? [...ghosts, ...previewDots(preview, colour, snap)] : []);
     this.#dots.setInner(theme.backgroundTop);
   }
 

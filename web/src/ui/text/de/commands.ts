@@ -49,6 +49,7 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     cancel: 'Abbrechen',
     autoSolve: 'Nach jeder Änderung erzeugen',
     searchLonger: 'Viermal so lange suchen',
+    alternatives: 'Alternativen …',
     bricks: 'Teilesatz …',
     newSeed: 'Anderen Startwert versuchen',
     planeAuto: 'Ebene: nach der Ansicht',

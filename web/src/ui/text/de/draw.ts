@@ -30,7 +30,8 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     delete: 'Löschen',
   },
   hints: {
-    select: 'Eine Linie anklicken wählt sie aus, Ziehen dreht die Ansicht. Umschalt wählt mehr.',
+    select:
+      'Linie anklicken zum Auswählen, an einem Ende oder der Auswahl ziehen zum Strecken, anderswo ziehen zum Drehen. Umschalt wählt mehr, Alt reißt ab.',
     line: 'Klicken Sie einen Punkt an, um eine Linie zu beginnen. Quader und Gitter haben eigene Werkzeuge.',
     lineNext:
       'Nächsten Punkt anklicken oder Länge tippen; Esc beendet. X Y Z sperren eine Achse, Tab dreht die Ebene.',
@@ -70,6 +71,12 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     sixty: '60°',
   },
   draw: {
+    follow: 'Linien, die mitgehen: {n}',
+    becomes: {
+      one: '{n}: Balken {holes}',
+      thin: '{n}: {holes} Löcher, zwei dünne Balken',
+      several: '{n}: {holes} Löcher, mehrere Balken',
+    },
     length: 'Länge',
     size: 'Maße',
     plane: 'Ebene',

@@ -31,6 +31,17 @@ export const FILES_DE: Words<typeof FILES_EN> = {
     exportFailed: 'Die Datei ließ sich nicht schreiben: {message}',
     reading: '{name} wird gelesen …',
   },
+  legal: {
+    show: 'Die nächste baubare zeigen',
+    title: 'Die nächste Zeichnung, die sich bauen lässt',
+    moved: '{n} von {all} Linien ändern sich; kein Ende rückt weiter als {most} Module.',
+    before: 'Wie sie in der Datei steht',
+    after: 'Mit ganzen Längen',
+    line: 'Linie {n}: aus {before} wird {after}',
+    more: 'und {n} weitere',
+    take: 'Diese nehmen',
+    leave: 'So lassen',
+  },
   tabs: {
     changed: 'In einem anderen Tab geändert; das ist der neueste Stand.',
     removed:

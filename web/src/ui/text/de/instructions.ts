@@ -6,6 +6,8 @@ export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
   failed: 'Die Reihenfolge konnte nicht berechnet werden: {message}',
   stuck: 'Nicht jedes Teil lässt sich gerade einsetzen. Schritte mit Warnung brauchen etwas Kraft.',
   tabs: { steps: 'Schritte', parts: 'Teile', film: 'Film' },
+  partsAStep: 'Teile je Schritt',
+  partsAStepValue: 'höchstens {n}',
   tabsLabel: 'Was gezeigt wird',
   step: 'Schritt {n} von {all}',
   sub: 'Getrennt bauen: {n} von {all}',

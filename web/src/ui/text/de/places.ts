@@ -66,6 +66,9 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
     solving: 'Ein Modell wird gesucht …',
     stale: 'Die Zeichnung ist anders',
     staleText: 'Dieses Modell gehört zur Zeichnung davor.',
+    staleParts: 'Ihre Teile haben sich geändert',
+    stalePartsText:
+      'Dieses Modell entstand mit den Teilen davor. „Erzeugen“ macht eines mit diesen.',
     staleAuto: 'Ein neues Modell kommt gleich.',
     file: 'Dieses Modell kam aus einer Datei und wurde geprüft.',
     show: 'Zeigen, wo',

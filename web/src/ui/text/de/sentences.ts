@@ -29,7 +29,30 @@ const FILES: Sentences = [
     'submodels and parts are more than {n}, which is the limit',
     'Untermodelle und Teile sind mehr als {n}; das ist die Grenze',
   ],
-  ['part {part} is not in the catalogue', 'Teil {part} ist nicht im Katalog'],
+  ['{file}: the submodel holds itself', '{file}: Das Untermodell enthält sich selbst'],
+  [
+    '{file} stands there more than once; the first counts',
+    '{file} steht mehr als einmal da; das erste zählt',
+  ],
+  [
+    'parts that are not known here are left out: {parts}',
+    'Teile, die hier unbekannt sind, fehlen: {parts}',
+  ],
+  [
+    'what stands in another file is left out: {file}',
+    'was in einer anderen Datei steht, fehlt: {file}',
+  ],
+  ['line {n}: a decimal comma; write {number}', 'Zeile {n}: ein Dezimalkomma; {number} schreiben'],
+  ['line {n}: "v" should have three numbers', 'Zeile {n}: "v" braucht drei Zahlen'],
+  [
+    'a vertex lies more than {n} modules from the origin',
+    'eine Ecke liegt mehr als {n} Module vom Ursprung entfernt',
+  ],
+  [
+    'its numbers were taken for {unit}; a module is 8 mm',
+    'ihre Zahlen wurden als {unit} verstanden; ein Modul ist 8 mm',
+  ],
+  ['it was turned so that its Y is up', 'sie wurde so gedreht, dass ihr Y oben ist'],
   [
     'more than {n} rows with all submodels in place, which is the limit',
     'mehr als {n} Zeilen mit allen Untermodellen am Platz; das ist die Grenze',
@@ -47,10 +70,6 @@ const FILES: Sentences = [
   [
     '{place}: a surface; only line segments (v and l) can be read',
     '{place}: eine Fläche; nur Strecken (v und l) können gelesen werden',
-  ],
-  [
-    '{place}: "v" should have three numbers, at most {n} each',
-    '{place}: "v" braucht drei Zahlen, jede höchstens {n}',
   ],
   [
     '{place}: "l" should name at least two vertices',
@@ -92,6 +111,11 @@ const INSIDE: Sentences = [
 
 /** Phrases that stand inside sentences. */
 export const PHRASES_DE: Sentences = [
+  ['millimetres', 'Millimeter'],
+  ['centimetres', 'Zentimeter'],
+  ['metres', 'Meter'],
+  ['inches', 'Zoll'],
+  ['LDraw units', 'LDraw-Einheiten'],
   ['an object', 'ein Objekt'],
   ['an array', 'eine Liste'],
   ['an array of {n}', 'eine Liste von {n}'],

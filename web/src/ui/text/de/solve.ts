@@ -68,6 +68,7 @@ export const SOLVE_DE: Words<typeof SOLVE_EN> = {
     noModelAuto: 'Es kommt von selbst, kurz nachdem Sie gezeichnet haben.',
     beams: 'Balken',
     bound: 'Mindestens {n} Balken sind nötig.',
+    alternatives: 'Andere Modelle dieser Zeichnung',
     bricks: 'Teile',
     gaps: 'Lücken',
     collisions: 'Zusammenstöße',

@@ -48,6 +48,7 @@ export const COMMANDS_EN = {
     cancel: 'Cancel',
     autoSolve: 'Generate after each edit',
     searchLonger: 'Search four times as long',
+    alternatives: 'Alternatives…',
     bricks: 'Brick set…',
     newSeed: 'Try another seed',
     planeAuto: 'Plane: choose by the view',

@@ -30,7 +30,8 @@ export const DRAW_EN = {
     delete: 'Delete',
   },
   hints: {
-    select: 'Click a line to select it, drag to turn the view. Shift selects more.',
+    select:
+      'Click a line to select it, drag an end or a selection to stretch, drag elsewhere to turn the view. Shift selects more, Alt tears off.',
     line: 'Click a point to begin a line. Boxes and grids have tools of their own.',
     lineNext:
       'Click the next point or type a length; Escape ends. X Y Z lock an axis, Tab turns the plane.',
@@ -68,6 +69,12 @@ export const DRAW_EN = {
     sixty: '60°',
   },
   draw: {
+    follow: 'lines that follow: {n}',
+    becomes: {
+      one: '{n}: beam {holes}',
+      thin: '{n}: {holes} holes, two thin beams',
+      several: '{n}: {holes} holes, several beams',
+    },
     length: 'Length',
     size: 'Size',
     plane: 'Plane',

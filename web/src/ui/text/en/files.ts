@@ -26,6 +26,18 @@ export const FILES_EN = {
     exportFailed: 'The file could not be written: {message}',
     reading: 'Reading {name}…',
   },
+  /** The nearest drawing that can be built to one that cannot. */
+  legal: {
+    show: 'Show the nearest that can be built',
+    title: 'The nearest drawing that can be built',
+    moved: '{n} of {all} lines change; no end moves more than {most} modules.',
+    before: 'As it is in the file',
+    after: 'With whole lengths',
+    line: 'Line {n}: {before} becomes {after}',
+    more: 'and {n} more',
+    take: 'Take this one',
+    leave: 'Leave it',
+  },
   /** What other tabs of this browser do to the sketch that is open. */
   tabs: {
     changed: 'Changed in another tab; this is the newest state.',

@@ -7,6 +7,8 @@ export const INSTRUCTIONS_EN = {
     'Not every part can be put in by a straight move. Steps with a warning need a little force or bending.',
   tabs: { steps: 'Steps', parts: 'Parts', film: 'Film' },
   tabsLabel: 'What to show',
+  partsAStep: 'Parts a step',
+  partsAStepValue: 'at most {n}',
   step: 'Step {n} of {all}',
   sub: 'Build apart: {n} of {all}',
   subOnly: 'Build apart',

@@ -63,6 +63,8 @@ export const PLACES_EN = {
     solving: 'Looking for a model…',
     stale: 'The drawing has changed',
     staleText: 'This model was made for the drawing before.',
+    staleParts: 'Your parts have changed',
+    stalePartsText: 'This model was made with the parts before. Press Generate for one with these.',
     staleAuto: 'A new model is coming.',
     file: 'This model was opened from a file and checked.',
     show: 'Show where',

@@ -64,6 +64,7 @@ export const SOLVE_EN = {
     noModelAuto: 'It comes by itself a moment after you have drawn.',
     beams: 'Beams',
     bound: 'At least {n} beams are needed.',
+    alternatives: 'Other models of this drawing',
     bricks: 'Bricks',
     gaps: 'Gaps',
     collisions: 'Collisions',

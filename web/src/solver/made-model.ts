@@ -1,7 +1,7 @@
 import type { SketchDocument } from '../model/sketch.ts';
-import type { SolveSettings } from '../solver/protocol.ts';
+import type { SolveSettings } from './protocol.ts';
 
-/** What the search gives for the sketch of a first visit; the build of the page makes it. */
+/** All that a search and a check have given for a sketch: enough to show it as if it had just been searched for. */
 export interface MadeModel {
   readonly sketch: SketchDocument;
   readonly settings: SolveSettings;
