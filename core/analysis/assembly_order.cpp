@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "analysis/assembly_downwards.h"
 #include "analysis/assembly_units.h"
 #include "analysis/disassembly_state.h"
 
@@ -66,8 +67,11 @@ class Ordering {
     }
     std::vector<int> best = old;
     Faults least = faultsOf(old);
+    std::vector<std::vector<int>> orders{orderDownwards(units_)};
     for (const int first : beginnings()) {
-      std::vector<int> order = orderFrom(first);
+      orders.push_back(orderFrom(first));
+    }
+    for (std::vector<int>& order : orders) {
       if (order.size() == units_.size()) {
         if (const Faults faults = faultsOf(order); faults < least) {
           least = faults;
@@ -303,38 +307,13 @@ class Ordering {
       // Pins go in together with what they hold.
       if (i + 1 == order.size() || !units_[at(order[i + 1])].fastener) {
         faults.falling += wishes_.rests && !wishes_.rests(parts) ? 1 : 0;
-        const int now = countPieces(has);
+        const int now = countPieces(units_, has);
         faults.loose += std::max(0, now - pieces);
         faults.hanging += now > pieces && lastFloor > floor_ + kLower ? 1 : 0;
         pieces = now;
       }
     }
     return faults;
-  }
-
-  //! In how many pieces the units are that are there.
-  [[nodiscard]] int countPieces(std::vector<char> there) const {
-    int pieces = 0;
-    std::vector<int> open;
-    for (std::size_t u = 0; u < units_.size(); ++u) {
-      if (there[u] == 0) {
-        continue;
-      }
-      ++pieces;
-      there[u] = 0;
-      open.push_back(static_cast<int>(u));
-      while (!open.empty()) {
-        const std::vector<int>& near = units_[at(open.back())].touches;
-        open.pop_back();
-        for (const int next : near) {
-          if (there[at(next)] != 0) {
-            there[at(next)] = 0;
-            open.push_back(next);
-          }
-        }
-      }
-    }
-    return pieces;
   }
 
   //! Removals with the best ways out in the new order.
