@@ -223,6 +223,14 @@ function printSummary(rows) {
     `\n${good} of ${rows.length} sketches buildable with every seed; beams over the bound: ` +
       `${over.length > 0 ? `${mean.toFixed(1)} %` : '-'} (mean); seconds: ${seconds?.toFixed(2) ?? '-'} (median)`,
   );
+  const [longest] = rows
+    .filter((row) => row.processorMax !== null && row.processorMax !== undefined)
+    .sort((a, b) => b.processorMax - a.processorMax);
+  if (longest) {
+    console.log(
+      `longest: ${longest.sketch}, ${longest.processorMax.toFixed(2)} s of one processor`,
+    );
+  }
   const stiff = rows.filter((row) => row.rigid >= 0.9 * row.runs).length;
   console.log(
     `${stiff} of ${rows.length} sketches without a freedom beyond their joints, all pins turning, ` +

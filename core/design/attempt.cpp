@@ -13,6 +13,7 @@
 #include "search/annealer.h"
 #include "search/cover_bound.h"
 #include "search/paper_search.h"
+#include "sketch/arrangement.h"
 
 namespace liftarm::design {
 
@@ -28,7 +29,16 @@ constexpr std::uint32_t kFreeingRounds = 9;
 // Moves times junctions of all searches, after which nothing is compared with what is whole.
 constexpr double kMostWork = 4e6;
 constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
-constexpr double kHalfBeam = 0.5;                // modules from a beam's middle line to its side
+constexpr double kUsualLines = 300.0;            // of a sketch; larger ones may take longer
+constexpr double kShareOfOneWish = 0.5;    // of the work that is left, before a wish is given up
+constexpr std::size_t kFewestCrowded = 3;  // lines: two can be joined, or their angle is at fault
+constexpr std::size_t kMostCrowded = 16;   // lines that are looked at alone
+constexpr std::size_t kMostLooks = 4;      // at places alone
+constexpr double kRegion = 2.0;            // modules, where no node alone is at fault
+constexpr std::uint32_t kMoreSeeds = 3;    // where nothing else is known to help
+constexpr std::size_t kMostRunsForMore = 40;
+constexpr std::uint64_t kSeedStep = 0x9E3779B97F4A7C15U;  // far from the seeds that a person tries
+constexpr double kHalfBeam = 0.5;  // modules from a beam's middle line to its side
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
   mechanisms::CompositionOptions options;
@@ -61,10 +71,6 @@ bool fillsGaps(const Settings& settings) {
   return !isPaperFamily(settings.method) &&
          std::find(settings.connectors.begin(), settings.connectors.end(), layout::kSpacerPart) !=
              settings.connectors.end();
-}
-
-bool isWhole(const search::LayoutSnapshot& layout) {
-  return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
 }
 
 //! What is tried, the first last: all wishes, then one symmetry after the other, then all but for
@@ -105,8 +111,7 @@ struct Attempts::Attempt {
           const Settings& settings,
           const mechanisms::MechanismTable& table)
       : solver(table, settings.connection),
-        problem(layout::makeLayoutProblem(guide::buildGuidingGraph(wanted, bridgingOf(settings)),
-                                          fillsGaps(settings))),
+        problem(problemOf(wanted, settings)),
         mobility(problem, table) {}
 
   Wishes wishes;
@@ -117,6 +122,15 @@ struct Attempts::Attempt {
   objective::Mobility mobility;
   std::unique_ptr<search::LayoutSearch> search;
 };
+
+layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings) {
+  return layout::makeLayoutProblem(guide::buildGuidingGraph(sketch, bridgingOf(settings)),
+                                   fillsGaps(settings));
+}
+
+bool isWhole(const search::LayoutSnapshot& layout) {
+  return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
+}
 
 sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
   sketch::Sketch wanted = sketch;
@@ -158,6 +172,10 @@ void Attempts::begin(Wishes wishes, bool last) {
     return;
   }
   search::AnnealingOptions options = settings_->annealing;
+  if (wishes.more > 0) {
+    options.seed += (wishes.more - 1) * kSeedStep;
+    options.minIterations = std::min(options.minIterations, kShortRound);
+  }
   options.held = makeHeld(attempt.problem, table_);
   if (objective::isRigid(settings_->preset)) {
     objective::Mobility* mobility = &attempt.mobility;
@@ -175,8 +193,64 @@ void Attempts::begin(Wishes wishes, bool last) {
         std::min(options.stiffening.rounds, wishes.mostly ? kFreeingRounds : kSymmetricRounds);
   }
   options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
+  options.mostWork = workLeft();
+  options.mostWorkUntilWhole = (last || wishes.more > 0 ? 1.0 : kShareOfOneWish) * options.mostWork;
   attempt.search =
       std::make_unique<search::Annealer>(attempt.problem, attempt.solver, std::move(options));
+}
+
+double Attempts::workLeft() const {
+  const double lines = std::max(1.0, static_cast<double>(sketch_->lines.size()) / kUsualLines);
+  return std::max(0.0, lines * settings_->annealing.mostWork - workBefore_);
+}
+
+void Attempts::lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest) {
+  for (const lattice::Vec3 at : places) {
+    const bool known = std::any_of(looked_.begin(), looked_.end(), [&](const auto& looked) {
+      return looked.first == radius && lattice::length(looked.second - at) < sketch::kSamePoint;
+    });
+    const std::size_t lines = linesNear(*sketch_, at, radius).size();
+    if (crowded_ || looked_.size() >= kMostLooks || known || lines < fewest ||
+        lines > kMostCrowded) {
+      continue;
+    }
+    crowded_ = findCrowded(*sketch_, at, radius, *settings_, table_);
+    looked_.emplace_back(radius, at);
+    wholeAlone_ = wholeAlone_ || (!crowded_ && lines == sketch_->lines.size());
+  }
+}
+
+//! Looks at the worst nodes of a layout that is not whole, each alone, then at what is near them.
+void Attempts::findCrowdedPlace() {
+  const search::LayoutSnapshot& best = current_->search->best();
+  const guide::GuidingGraph& graph = current_->problem.graph;
+  std::vector<lattice::Vec3> places;
+  std::optional<std::size_t> busiest;
+  for (std::size_t j = 0; j < best.junctions.size(); ++j) {
+    const auto runsAt = [&](std::size_t i) { return graph.junctions[i].incident.size(); };
+    busiest = !busiest || runsAt(j) > runsAt(*busiest) ? j : *busiest;
+    if (best.junctions[j].violations() > 0) {
+      places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)]);
+    }
+  }
+  lookAt(places, 0.0, kFewestCrowded);
+  if (!crowded_ && busiest) {
+    // Beams may collide beside a node that is joined all right.
+    places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[*busiest].node)]);
+    lookAt(places, kRegion, kFewestCrowded);
+  }
+}
+
+//! Where every plan failed and no place is known to be at fault, or a look has found a layout of
+//! all lines, other seeds and short rounds may find what is there.
+void Attempts::planMoreSeeds() {
+  if ((plans_.empty() || wholeAlone_) && best_ == nullptr && moreSeeds_ < kMoreSeeds &&
+      !isPaperFamily(settings_->method) &&
+      current_->problem.graph.runs.size() <= kMostRunsForMore) {
+    wholeAlone_ = false;
+    plans_.emplace_back();
+    plans_.back().more = ++moreSeeds_;
+  }
 }
 
 //! What a layout that has ended is worth beside others.
@@ -216,6 +290,10 @@ bool Attempts::advance(std::uint32_t iterations) {
 //! After a search has ended: whether there is an answer, or what comes next.
 void Attempts::goOn() {
   judge(current_.get());
+  workBefore_ += current_->search->work();
+  if (best_ == nullptr && !isPaperFamily(settings_->method) && !isWhole(current_->search->best())) {
+    findCrowdedPlace();
+  }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
   const auto rank = [](const Attempt& attempt) {
@@ -228,7 +306,9 @@ void Attempts::goOn() {
   }
   const double work = static_cast<double>(iterationsBefore_) *
                       static_cast<double>(problem().graph.junctions.size());
-  done_ = plans_.empty() || (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork));
+  planMoreSeeds();
+  done_ = plans_.empty() || crowded_.has_value() || workLeft() <= 0.0 ||
+          (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork));
   if (done_) {
     return;
   }

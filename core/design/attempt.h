@@ -2,8 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "design/crowded_place.h"
 #include "design/settings.h"
 #include "layout/layout.h"
 #include "mechanisms/mechanism_table.h"
@@ -19,18 +22,29 @@ struct Wishes {
   bool symmetric = false;  //!< the drawing's own symmetries are kept (design/alikeness.h)
   int only = -1;           //!< the one of these that is kept; negative: all
   bool mostly = false;     //!< what stays loose as it is need not be symmetric
+  std::uint32_t more = 0;  //!< not 0: of the searches beyond the plans, in short rounds
 };
 
 //! \brief The sketch with what is wished for written into it: its ground half a module below its
 //! lowest end point, and the mirrors that it has. What it says itself stays.
 sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 
+//! \brief What a search for a sketch under these settings works on.
+layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings);
+
+//! \brief Whether nothing is violated and no part is missing.
+bool isWhole(const search::LayoutSnapshot& layout);
+
 //! \brief The searches for one sketch, one after the other: with every wish of the settings, then
 //! with fewer, until a layout is whole.
 //! \details Two mirrors at once leave few layouts: where the best of these is loose, or takes many
 //! more beams than are needed (bent beams across a mirror and frames obey none), it is compared
 //! with those that keep one mirror, with one that is symmetric but for what would be loose, and
-//! with one that keeps none; being symmetric is worth a part of the objective.
+//! with one that keeps none; being symmetric is worth a part of the objective. A search
+//! that does not end whole is followed by a look at the nodes where it failed, each alone: what
+//! cannot be joined there is said at once, in place of further searches. Where nothing is found to
+//! be at fault, a few more searches with other seeds follow the plans. All searches together take
+//! no more than AnnealingOptions::mostWork, more for very large sketches.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.
@@ -58,6 +72,9 @@ class Attempts {
 
   [[nodiscard]] const layout::LayoutProblem& problem() const;
 
+  //! \brief The place that no layout was found for, where that is why there is none.
+  [[nodiscard]] const std::optional<CrowdedPlace>& crowded() const { return crowded_; }
+
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return table_; }
 
  private:
@@ -65,6 +82,10 @@ class Attempts {
 
   void goOn();
   void begin(Wishes wishes, bool last);
+  void findCrowdedPlace();
+  void lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest);
+  void planMoreSeeds();
+  [[nodiscard]] double workLeft() const;
   void judge(Attempt* attempt) const;
   [[nodiscard]] const Attempt& shown() const;
   [[nodiscard]] bool isGoodEnough(const Attempt& attempt) const;
@@ -77,7 +98,12 @@ class Attempts {
   std::vector<Wishes> plans_;                 // those still to come, the next one last
   std::unique_ptr<Attempt> current_;
   std::unique_ptr<Attempt> best_;  // whole, of those that have ended
+  std::optional<CrowdedPlace> crowded_;
+  std::vector<std::pair<double, lattice::Vec3>> looked_;  // radius and place of every look
+  std::uint32_t moreSeeds_ = 0;                           // searches beyond the plans
+  bool wholeAlone_ = false;                               // a look found a layout of all lines
   std::uint64_t iterationsBefore_ = 0;
+  double workBefore_ = 0.0;  // of searches that ended
   std::uint32_t improvementsBefore_ = 0;
   double left_ = 1.0;  // of the fraction when the present search began
   double fraction_ = 0.0;

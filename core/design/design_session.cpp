@@ -71,6 +71,7 @@ class Session final : public DesignSession {
                        attempts_.search(),
                        sketch_,
                        notes_,
+                       attempts_.crowded(),
                        model::asWritten(model())});
   }
 

@@ -8,12 +8,14 @@
 #include "design/covers_in_use.h"
 #include "design/json_values.h"
 #include "design/measures.h"
+#include "design/notes_json.h"
 #include "design/owned_parts.h"
 #include "design/paint.h"
 #include "design/well_built_json.h"
 #include "layout/components.h"
 #include "objective/symmetry_measure.h"
 #include "search/cover_bound.h"
+#include "sketch/arrangement.h"
 
 namespace liftarm::design {
 
@@ -30,17 +32,6 @@ json problemsJson(const analysis::CheckReport& check) {
                         {"parts", problem.parts}});
   }
   return problems;
-}
-
-json notesJson(const std::vector<sketch::Note>& notes) {
-  json all = json::array();
-  for (const sketch::Note& note : notes) {
-    all.push_back({{"kind", note.kind},
-                   {"message", note.message},
-                   {"at", pointJson(note.at)},
-                   {"lines", note.lines}});
-  }
-  return all;
 }
 
 //! Straight stretches for which no beams of the lengths in use fit.
@@ -63,25 +54,42 @@ void addBareLines(const ReportInput& input, json* problems) {
   }
 }
 
-//! Places where the search itself knows that it failed; the checks see their effects only.
-void addSearchProblems(const ReportInput& input, json* problems) {
+json junctionProblem(std::string message, const lattice::Vec3& at) {
+  return {{"kind", "junction"},
+          {"message", std::move(message)},
+          {"at", pointJson(at)},
+          {"parts", json::array()}};
+}
+
+bool isCrowded(const ReportInput& input, const lattice::Vec3& at) {
+  return input.crowded && lattice::length(input.crowded->at - at) < sketch::kSamePoint;
+}
+
+//! Why there is no layout, before all that follows from it.
+json causeJson(const ReportInput& input) {
+  return input.crowded
+             ? json::array({junctionProblem(messageOf(*input.crowded), input.crowded->at)})
+             : json::array();
+}
+
+//! Places where the search itself knows that it failed; the checks see their effects only. Of a
+//! model that holds, nothing is said about how many beams lie in a stack.
+void addSearchProblems(const ReportInput& input, bool holds, json* problems) {
   const search::LayoutSnapshot& best = input.search.best();
   for (std::size_t j = 0; j < best.junctions.size(); ++j) {
     const layout::JunctionState& state = best.junctions[j];
-    if (state.violations() == 0) {
-      continue;
-    }
     const guide::GuidingGraph& graph = input.problem.graph;
     const lattice::Vec3 at = graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)];
+    const int overfull = holds ? state.overfull : 0;
+    if (state.violations() == overfull || isCrowded(input, at)) {
+      continue;
+    }
     std::string message = "the lines that meet here could not all be joined";
     if (state.connection.failed == 0) {
       message = state.gaps > 0 ? "the beams stacked here leave an empty layer"
                                : "more beams are stacked here than a pin can hold";
     }
-    problems->push_back({{"kind", "junction"},
-                         {"message", message},
-                         {"at", pointJson(at)},
-                         {"parts", json::array()}});
+    problems->push_back(junctionProblem(std::move(message), at));
   }
   addBareLines(input, problems);
 }
@@ -150,14 +158,19 @@ std::string makeReport(const ReportInput& input) {
   const objective::Measures measures = measuresOf(input.problem, input.table, best);
   const analysis::CheckReport check =
       analysis::checkModel(input.model, parts::Catalogue::builtIn());
-  json problems = problemsJson(check);
-  addSearchProblems(input, &problems);
+  json problems = causeJson(input);
+  for (json& problem : problemsJson(check)) {
+    problems.push_back(std::move(problem));
+  }
+  addSearchProblems(input, check.buildable, &problems);
   const json missing = addMissing(input, &problems);
   json terms = json::object();
   for (const objective::Term& term : objective::kTerms) {
     terms[std::string(term.name)] = rounded(term.value(measures));
   }
   const layout::Tallies& tallies = best.tallies;
+  // A stack of more beams than one pin holds is no fault where all of them are held all the same.
+  const int broken = tallies.violations() - (check.buildable ? tallies.overfull : 0);
   return json{
       {"name", input.sketch.name},
       {"seed", input.settings.annealing.seed},
@@ -193,8 +206,7 @@ std::string makeReport(const ReportInput& input) {
       {"size", pointJson(check.counts.size)},
       {"missing", missing},
       {"unusualColours", countUnusualColours(input.model)},
-      {"buildable",
-       check.buildable && tallies.violations() == 0 && missing.empty() && !best.covers.empty()},
+      {"buildable", check.buildable && broken == 0 && missing.empty() && !best.covers.empty()},
       {"items", itemsJson(check)},
       {"wellBuilt", wellBuiltJson(check.wellBuilt)},
       {"notes", notesJson(input.notes)},

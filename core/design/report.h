@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "design/crowded_place.h"
 #include "design/settings.h"
 #include "layout/layout.h"
 #include "model/model.h"
@@ -20,6 +22,7 @@ struct ReportInput {
   const search::LayoutSearch& search;
   const sketch::Sketch& sketch;
   const std::vector<sketch::Note>& notes;
+  const std::optional<CrowdedPlace>& crowded;
   model::Model model;
 };
 

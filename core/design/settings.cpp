@@ -44,6 +44,7 @@ constexpr std::array<NumberKey, 12> kNumberKeys{{
        s->annealing.iterationsPerRun = static_cast<std::uint32_t>(perRun + 1.0);
        s->annealing.minIterations = static_cast<std::uint32_t>(least + 1.0);
        s->effort = v;
+       s->annealing.mostWork *= std::max(1.0, v);
      }},
     {"starts",
      1.0,

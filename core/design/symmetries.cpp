@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "design/notes_json.h"
 #include "sketch/sketch_json.h"
+#include "sketch/sketch_notes.h"
 #include "sketch/symmetry_finder.h"
 
 namespace liftarm::design {
@@ -34,11 +36,11 @@ ordered_json symmetryJson(const sketch::Symmetry& symmetry) {
 }  // namespace
 
 base::Result<std::string> findSymmetriesJson(std::string_view sketchJson) {
-  const base::Result<sketch::Sketch> sketch = sketch::readSketch(sketchJson);
-  if (!sketch.ok()) {
-    return sketch.error();
+  const base::Result<sketch::Reading> reading = sketch::readDrawing(sketchJson);
+  if (!reading.ok()) {
+    return reading.error();
   }
-  const sketch::FoundSymmetries found = sketch::findSymmetries(sketch.value());
+  const sketch::FoundSymmetries found = sketch::findSymmetries(reading.value().sketch);
   ordered_json symmetries = ordered_json::array();
   for (const sketch::Symmetry& symmetry : found.symmetries) {
     symmetries.push_back(symmetryJson(symmetry));
@@ -49,7 +51,9 @@ base::Result<std::string> findSymmetriesJson(std::string_view sketchJson) {
                           {"point", vectorJson(rotation.point)},
                           {"order", rotation.order}});
   }
-  return ordered_json{{"symmetries", symmetries}}.dump();
+  return ordered_json{{"symmetries", symmetries},
+                      {"notes", notesJson(sketch::notesOn(reading.value()))}}
+      .dump();
 }
 
 }  // namespace liftarm::design

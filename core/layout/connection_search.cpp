@@ -248,7 +248,9 @@ void ConnectionSearch::collect(int radius) {
       if (b->terminal <= a->terminal || problem_->cluster[at(b->terminal)] == cluster) {
         continue;
       }
-      for (const TableEntry& entry : table_->between(b->at - a->at, a->axis, b->axis)) {
+      const auto& entries = table_->between(b->at - a->at, a->axis, b->axis);
+      work_ += entries.size();
+      for (const TableEntry& entry : entries) {
         tryPlace(entry.mechanism, entry.headA, a->at);
       }
     }
@@ -320,6 +322,7 @@ void ConnectionSearch::descend(std::size_t depth, std::uint32_t grown, int left,
   if (left == 0 || ++nodes_ > kMaxNodes) {
     return;
   }
+  work_ += open_[depth].size();
   for (std::size_t i = 0; i < open_[depth].size(); ++i) {
     const Candidate& candidate = candidates_[open_[depth][i]];
     const std::uint32_t fresh = candidate.terminals & ~grown;
@@ -338,6 +341,7 @@ void ConnectionSearch::descend(std::size_t depth, std::uint32_t grown, int left,
       take(candidate, 1);
       std::vector<std::uint16_t>& next = open_[depth + 1];
       next.clear();
+      work_ += open_[depth].size();
       for (const std::uint16_t other : open_[depth]) {
         if ((candidates_[other].terminals & ~(grown | fresh)) != 0U && fits(candidates_[other])) {
           next.push_back(other);

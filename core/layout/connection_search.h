@@ -19,6 +19,9 @@ class ConnectionSearch {
   //! within reach when those do not suffice.
   Connection run(const LocalProblem& problem);
 
+  //! \brief Mechanisms that were held against a place or against each other, in all runs.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
+
  private:
   //! A mechanism's cell, and how far its index in the box is from that of the mechanism's origin.
   struct PackedCell {
@@ -78,6 +81,7 @@ class ConnectionSearch {
   double leastValue_ = 0.0;  // of any candidate
   Connection best_;
   int nodes_ = 0;
+  std::uint64_t work_ = 0;
 };
 
 }  // namespace liftarm::layout

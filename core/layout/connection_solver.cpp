@@ -15,6 +15,10 @@ ConnectionSolver::ConnectionSolver(const mechanisms::MechanismTable& table, Conn
 
 ConnectionSolver::~ConnectionSolver() = default;
 
+std::uint64_t ConnectionSolver::work() const {
+  return search_->work();
+}
+
 const Connection& ConnectionSolver::solve(const LocalProblem& problem) {
   const std::uint64_t key = problem.hash();
   const auto found = known_.find(key);

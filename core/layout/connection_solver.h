@@ -104,6 +104,9 @@ class ConnectionSolver {
 
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return *table_; }
 
+  //! \brief What all answers took, in mechanisms looked at: a measure of time that is no clock.
+  [[nodiscard]] std::uint64_t work() const;
+
   [[nodiscard]] std::size_t hits() const { return hits_; }
 
   [[nodiscard]] std::size_t misses() const { return misses_; }

@@ -61,6 +61,11 @@ struct AnnealingOptions {
   std::uint32_t iterationsPerRun = 60;
   std::uint32_t minIterations = 1600;
   std::uint32_t maxRounds = 17;  //!< further rounds while no layout without violations was found
+  //! Most work (LayoutSearch::work) of a search: what is not whole by then is given up in
+  //! mid-round, what is whole is made no better at the end of a round. About 8 seconds on a machine
+  //! of 2024.
+  double mostWork = 7e9;
+  double mostWorkUntilWhole = 7e9;  //!< the same while no layout is whole
   SearchParts parts;
   Supply supply;  //!< what may be used; fewest parts beyond it after fewest violations
   std::vector<int> lengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
@@ -111,6 +116,8 @@ class Annealer final : public LayoutSearch {
 
   [[nodiscard]] double temperature() const override { return temperature_; }
 
+  [[nodiscard]] double work() const override;
+
   [[nodiscard]] double fraction() const override;
 
   //! \brief "stageOne" until the first layout is there, then "stageTwo", then "done".
@@ -134,6 +141,8 @@ class Annealer final : public LayoutSearch {
   void move();
   void beginRound();
   void finishRound();
+  [[nodiscard]] bool hasWhole() const;
+  [[nodiscard]] bool isOverworked() const;
   [[nodiscard]] int pickRun();
   [[nodiscard]] int pickPartner(int run);
   void place(int run, const layout::Cover& cover);
@@ -183,6 +192,7 @@ class Annealer final : public LayoutSearch {
   void findLooseRuns();
 
   const layout::LayoutProblem* problem_;
+  const layout::ConnectionSolver* solver_;
   AnnealingOptions options_;
   base::Rng rng_;
   layout::Layout layout_;

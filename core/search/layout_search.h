@@ -38,6 +38,9 @@ class LayoutSearch {
 
   [[nodiscard]] virtual double temperature() const = 0;
 
+  //! \brief What it took so far, in about nanoseconds, but counted: what two machines do alike.
+  [[nodiscard]] virtual double work() const { return 0.0; }
+
   //! \brief From 0 to 1: how much of the search is done, as far as can be told.
   [[nodiscard]] virtual double fraction() const = 0;
 

@@ -18,6 +18,7 @@ using layout::Cover;
 using layout::kLayerCount;
 
 constexpr int kMostOverlap = 3;
+constexpr std::uint64_t kOverlapWork = 12;  // of two beams, in beams looked at
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);
@@ -130,6 +131,7 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
           return overlap(layout::stadiumOf(graph, guideRun, axis, {first, last - first + 1, layer}),
                          theirs);
         };
+        work_ += kOverlapWork;
         if (!hits(low, high)) {
           continue;
         }
@@ -268,6 +270,7 @@ void RunCoverer::relax(int state, int start, int fromLayer, int overlapFrom) {
       }
     }
     const double* costs = beamCost_.data() + beamIndex(start, 0, layer);
+    work_ += lengths_.size();
     for (std::size_t n = 0; n < lengths_.size(); ++n) {
       const int last = start + lengths_[n] - 1;
       if (last > furthest) {

@@ -48,6 +48,9 @@ class RunCoverer {
   //! work.
   void setReach(int layers) { wantedReach_ = layers; }
 
+  //! \brief What all proposals took, in beams looked at: a measure of time that is no clock.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
+
   [[nodiscard]] int reach() const { return wantedReach_; }
 
   //! \brief Layers that the next proposals had better have at the run's junctions
@@ -114,7 +117,8 @@ class RunCoverer {
   std::vector<int> junctionPlaces_;    // by node index + 1: place in the lists below, or -1
   std::vector<unsigned> otherLayers_;  // layers of other beams with this axis, by place
   std::vector<double> stackWeights_;   // by place
-  std::vector<unsigned> unwanted_;     // layers that are not preferred, by place
+  std::uint64_t work_ = 0;
+  std::vector<unsigned> unwanted_;  // layers that are not preferred, by place
 };
 
 }  // namespace liftarm::search

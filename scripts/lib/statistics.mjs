@@ -46,6 +46,7 @@ export function summarise(sketch, runs) {
     rigid: runs.filter(({ ok, report }) => ok && report?.freedomsBeyondJoints === 0).length,
     seconds: median(seconds),
     secondsMax: greatest(seconds),
+    processorMax: greatest(runs.map(({ report }) => report?.seconds?.processor)),
     wallSeconds: median(runs.map(({ wallSeconds }) => wallSeconds)),
     failure: runs.find(({ ok }) => !ok)?.failure ?? '',
   };

@@ -32,6 +32,16 @@ TEST(Symmetries, CanBeAddedToTheSketchAsTheyAre) {
   EXPECT_EQ(json::parse(again.value())["symmetries"].size(), rotations);
 }
 
+TEST(Symmetries, ComeWithWhatElseThereIsToSayOfTheSketch) {
+  const base::Result<std::string> found = findSymmetriesJson(R"({"format": "technic-sketch",
+      "version": 1, "lines": [{"from": [0, 0, 0], "to": [5, 0, 0]},
+                              {"from": [2.5, -3, 0], "to": [2.5, 3, 0]}]})");
+  ASSERT_TRUE(found.ok());
+  const json note = json::parse(found.value())["notes"][0];
+  EXPECT_EQ(note["kind"], "crossing");
+  EXPECT_EQ(note["mend"], json::parse(R"([{"line": 1, "from": [3, -3, 0], "to": [3, 3, 0]}])"));
+}
+
 TEST(Symmetries, OfABrokenSketchAreRefusedWithItsMessage) {
   const base::Result<std::string> found = findSymmetriesJson(R"({"format": "other"})");
   ASSERT_FALSE(found.ok());

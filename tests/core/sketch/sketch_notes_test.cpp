@@ -141,5 +141,66 @@ TEST(Closings, AreTheNearestWholeTriangles) {
   EXPECT_TRUE(nearestClosings(line).empty());
 }
 
+//! Notes of one kind on what the first mend of that kind makes of a drawing.
+std::vector<std::string> saidOnceMended(const std::string& lines, const std::string& kind) {
+  base::Result<Reading> reading =
+      readDrawing(R"({"format": "technic-sketch", "version": 1, "lines": [)" + lines + "]}");
+  EXPECT_TRUE(reading.ok());
+  Sketch sketch = reading.value().sketch;
+  for (const Note& note : notesOn(reading.value())) {
+    if (note.kind != kind || note.mend.empty()) {
+      continue;
+    }
+    for (const MendedLine& mended : note.mend) {
+      Line line;
+      line.from = mended.from;
+      line.to = mended.to;
+      if (mended.line < 0) {
+        sketch.lines.push_back(line);
+      } else {
+        sketch.lines[static_cast<std::size_t>(mended.line)] = line;
+      }
+    }
+    reading = readDrawing(writeSketch(sketch));
+    EXPECT_TRUE(reading.ok()) << (reading.ok() ? "" : reading.error().message);
+    return said(notesOn(reading.value()), kind);
+  }
+  ADD_FAILURE() << "nothing mends " << lines;
+  return {};
+}
+
+TEST(SketchNotes, TheMendOfANearMissJoinsTheLines) {
+  EXPECT_TRUE(
+      saidOnceMended(std::string(kBeam) + R"(, {"from": [3, 0, 0.09], "to": [3, 0, 5.09]})", "near")
+          .empty());
+}
+
+TEST(SketchNotes, TheMendOfANearMissBringsNodesTogetherAndTakesThePieceAlong) {
+  const std::string lines =
+      std::string(kBeam) + R"(, {"from": [3.4, 0, 0.09], "to": [3.4, 0, 5.09]},
+                                                      {"from": [3.4, 0, 5.09], "to": [7.4, 0, 5.09]})";
+  EXPECT_TRUE(saidOnceMended(lines, "near").empty());
+  EXPECT_EQ(said(notesOfLines(lines), "pieces").size(), 2U);
+  EXPECT_EQ(saidOnceMended(lines, "pieces").size(), 0U);
+}
+
+TEST(SketchNotes, TheMendOfACrossingPutsNodesThere) {
+  EXPECT_TRUE(saidOnceMended(R"({"from": [0, 0, 0], "to": [5, 0, 0]},
+                                {"from": [2.5, -3, 0], "to": [2.5, 3, 0]})",
+                             "crossing")
+                  .empty());
+}
+
+TEST(SketchNotes, TheMendOfTwoPiecesIsALineOrAShift) {
+  for (const char* other : {R"({"from": [20, 0, 0], "to": [26, 0, 0]})",
+                            R"({"from": [0, 0.5, 0], "to": [8, 0.5, 0]})"}) {
+    EXPECT_TRUE(saidOnceMended(std::string(kBeam) + ", " + other, "pieces").empty()) << other;
+  }
+}
+
+TEST(SketchNotes, WhatSnappingMovedCanBeDrawnSo) {
+  EXPECT_TRUE(saidOnceMended(R"({"from": [0, 0, 0], "to": [7.97, 0, 0]})", "moved").empty());
+}
+
 }  // namespace
 }  // namespace liftarm::sketch

@@ -108,6 +108,14 @@ const PROBLEMS: Sentences = [
     'die Linien, die sich hier treffen, ließen sich nicht alle verbinden',
   ],
   [
+    'no parts were found that join the lines which meet at {at}, even with nothing else around: {lines}; without {some} the others can be joined',
+    'es fanden sich keine Teile, die die Linien verbinden, die sich bei {at} treffen, auch wenn nichts sonst da ist: {lines}; ohne {some} lassen sich die anderen verbinden',
+  ],
+  [
+    'no parts were found that join the lines which have nodes within {n} modules of {at}, even with nothing else around: {lines}; without {some} the others can be joined',
+    'es fanden sich keine Teile, die die Linien verbinden, die Knoten innerhalb von {n} Modulen um {at} haben, auch wenn nichts sonst da ist: {lines}; ohne {some} lassen sich die anderen verbinden',
+  ],
+  [
     'no beams in use make up the {n} modules of the line from here: on an exact line they may neither overlap nor stick out',
     'keine Balken im Satz ergeben die {n} Module der Linie von hier: Auf einer genauen Linie dürfen sie weder überlappen noch überstehen',
   ],

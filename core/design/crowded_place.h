@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/settings.h"
+#include "mechanisms/mechanism_table.h"
+#include "sketch/sketch.h"
+
+namespace liftarm::design {
+
+//! \brief A place whose lines no parts were found to join, even with nothing else around.
+struct CrowdedPlace {
+  lattice::Vec3 at;
+  double radius = 0.0;       //!< modules; 0: one node
+  std::vector<int> lines;    //!< that have a node within the radius
+  std::vector<int> without;  //!< those of them without which the others can be joined
+};
+
+//! \brief Moves of a round, besides those for each run, where many short rounds are worth more than
+//! a long one.
+inline constexpr std::uint32_t kShortRound = 800;
+
+//! \brief Lines of a sketch that have a node within so many modules of a point, in their order.
+std::vector<int> linesNear(const sketch::Sketch& sketch, lattice::Vec3 at, double radius);
+
+//! \brief Looks at one place alone: its lines, cut to what is near, and nothing else.
+//! \details A layout of the whole sketch contains one of the lines of each place, but for beams
+//! that a neighbouring node's mechanism joins; so where the lines alone find none, the whole sketch
+//! is not worth a long search. No proof: the lines alone are searched too, in counted moves.
+//! \return Nothing where they can be joined. Else those that can stay are found by laying one line
+//! after the other.
+std::optional<CrowdedPlace> findCrowded(const sketch::Sketch& sketch,
+                                        lattice::Vec3 at,
+                                        double radius,
+                                        const Settings& settings,
+                                        const mechanisms::MechanismTable& table);
+
+//! \brief What is said of it: place, reason and the change that would help, in one sentence.
+std::string messageOf(const CrowdedPlace& place);
+
+}  // namespace liftarm::design
