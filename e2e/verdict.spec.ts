@@ -21,24 +21,42 @@ const sketch = (lines: readonly unknown[]) =>
 
 const card = (page: Page) => page.locator('.verdict-card');
 
-test('a drawing that cannot be built is never green, and is mended by a click', async ({
-  page,
-}) => {
+test('lines that only cross are never green, and are mended by a click', async ({ page }) => {
   await openEmpty(page);
   const lines = [
     { from: [0, 0, 0], to: [8, 0, 0] },
     { from: [3.5, -4, 0], to: [3.5, 4, 0] },
   ];
   await openText(page, sketch(lines));
-  await expect(card(page)).toContainText('Cannot be built as drawn');
+  await expect(card(page)).toContainText('Something in the drawing to mend');
   await page.getByRole('button', { name: /^Generate/ }).click();
-  await expect(card(page)).toHaveClass(/\bbad\b/, { timeout: 60_000 });
-  await expect(card(page).locator('.lamp.ok')).toHaveCount(0);
+  await expect(card(page)).toContainText('lines do not meet', { timeout: 60_000 });
+  await expect(card(page)).toHaveClass(/\bwarn\b/);
   await page.getByRole('button', { name: 'Move to nodes' }).click();
   await generate(page);
-  await expect(card(page)).toContainText('Buildable');
+  await expect(card(page)).not.toContainText('do not meet');
   const [, moved] = (await savedSketch(page)).lines as { from: number[] }[];
   expect(Number.isInteger(moved?.from[0])).toBe(true);
+});
+
+test('lines that nearly touch are named, listed in Check, and joined by a click', async ({
+  page,
+}) => {
+  await openEmpty(page);
+  const lines = [
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [3, 0, 0.09], to: [3, 0, 5.09] },
+  ];
+  await openText(page, sketch(lines));
+  await expect(card(page)).toContainText('come within 0.09 modules (0.72 mm)');
+  await expect(card(page)).not.toHaveClass(/\bok\b/);
+  await page.getByRole('button', { name: /in Check/ }).click();
+  const listed = page.getByRole('region', { name: 'Worth a look in the drawing' });
+  await expect(listed.getByRole('listitem')).toHaveCount(3);
+  await listed.getByRole('button', { name: 'Bring together' }).first().click();
+  await expect(listed).toHaveCount(0);
+  const [, moved] = (await savedSketch(page)).lines as { from: number[] }[];
+  expect(moved?.from).toEqual([3, 0, 0]);
 });
 
 test('two pieces are never green without a word, and the lesser one is shown', async ({ page }) => {

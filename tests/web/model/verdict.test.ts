@@ -32,7 +32,8 @@ describe('the verdict', () => {
   });
 
   it.each([
-    ['a drawing that no parts can make', { faults: 1 }, 'bad', 'fault'],
+    ['lines that look joined and are not', { faults: 1 }, 'warn', 'fault'],
+    ['those in a model that fails', { faults: 1, buildable: false }, 'bad', 'fault'],
     ['a model that fails a check', { buildable: false }, 'bad', 'item'],
     ['parts that are missing', { missing: 2 }, 'warn', 'missing'],
     ['two pieces', { pieces: 2 }, 'warn', 'pieces'],
@@ -48,8 +49,12 @@ describe('the verdict', () => {
     expect(verdictOf({ ...input, faults: 1 }).first?.kind).toBe('fault');
   });
 
-  it.each([{ faults: 1 }, { buildable: false }])('has nothing green with %o', (change) => {
-    const { lamps } = verdictOf({ ...GOOD, ...change, wellBuilt: [{ ...BAD_WORK, ok: true }] });
+  it('has nothing green over a model that fails', () => {
+    const { lamps } = verdictOf({
+      ...GOOD,
+      buildable: false,
+      wellBuilt: [{ ...BAD_WORK, ok: true }],
+    });
     expect(lamps[0]?.state).toBe('bad');
     expect(lamps.filter(({ state }) => state === 'ok')).toEqual([]);
   });

@@ -1,27 +1,40 @@
 import { expect, test } from 'vitest';
 import { emptySketch, type SketchLine } from '../../../web/src/model/sketch.ts';
 import { mirrorPlace } from '../../../web/src/state/mirror-place.ts';
-import { findFaults, mendFault } from '../../../web/src/state/sketch-faults.ts';
+import { findTwins, mendFault, type SketchFault } from '../../../web/src/state/sketch-faults.ts';
 
 const sketchOf = (lines: readonly SketchLine[]) => ({ ...emptySketch(), lines });
 
-const CROSSING = sketchOf([
-  { from: [0, 0, 0], to: [8, 0, 0] },
-  { from: [3.5, -4, 0], to: [3.5, 4, 0] },
-]);
-
-test('lines that cross between nodes are a fault, and its mend brings them to nodes', () => {
-  const [fault] = findFaults(CROSSING);
-  expect(fault).toMatchObject({ kind: 'crossing', lines: [0, 1] });
-  expect(fault && findFaults(mendFault(CROSSING, fault))).toEqual([]);
+test('a mend moves lines and keeps all else of them', () => {
+  const sketch = sketchOf([
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [3, 0, 0.09], to: [3, 0, 5.09], exact: true },
+  ]);
+  const fault: SketchFault = {
+    kind: 'near',
+    message: '',
+    at: [3, 0, 0],
+    lines: [0, 1],
+    mend: [{ line: 1, from: [3, 0, 0], to: [3, 0, 5] }],
+  };
+  expect(mendFault(sketch, fault).lines).toEqual([
+    sketch.lines[0],
+    { from: [3, 0, 0], to: [3, 0, 5], exact: true },
+  ]);
 });
 
-test('lines that meet at nodes are no fault', () => {
-  const cross = sketchOf([
-    { from: [0, 0, 0], to: [8, 0, 0] },
-    { from: [3, -4, 0], to: [3, 4, 0] },
-  ]);
-  expect(findFaults(cross)).toEqual([]);
+test('a mend without a number is a line more', () => {
+  const sketch = sketchOf([{ from: [0, 0, 0], to: [8, 0, 0] }]);
+  const mend = [{ from: [8, 0, 0], to: [20, 0, 0] }] as const;
+  const fault: SketchFault = { kind: 'pieces', message: '', at: [8, 0, 0], lines: [0], mend };
+  expect(mendFault(sketch, fault).lines).toEqual([...sketch.lines, ...mend]);
+});
+
+test('a mend for a line that is gone changes nothing', () => {
+  const sketch = sketchOf([{ from: [0, 0, 0], to: [8, 0, 0] }]);
+  const mend = [{ line: 4, from: [0, 0, 0], to: [1, 0, 0] }] as const;
+  const fault: SketchFault = { kind: 'near', message: '', at: [0, 0, 0], lines: [4, 0], mend };
+  expect(mendFault(sketch, fault).lines).toEqual(sketch.lines);
 });
 
 test('the same line twice, drawn either way, is a fault that removing one mends', () => {
@@ -29,7 +42,7 @@ test('the same line twice, drawn either way, is a fault that removing one mends'
     { from: [0, 0, 0], to: [5, 0, 0] },
     { from: [5, 0, 0], to: [0, 0, 0] },
   ]);
-  const [fault] = findFaults(doubled);
+  const [fault] = findTwins(doubled);
   expect(fault?.kind).toBe('twin');
   expect(fault && mendFault(doubled, fault).lines).toHaveLength(1);
 });

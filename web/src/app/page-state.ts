@@ -5,10 +5,11 @@ import { colourHex } from '../model/colours.ts';
 import { countParts } from '../model/counts.ts';
 import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
+import type { Report } from '../model/report.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import type { PagePreferences } from '../state/page-preferences.ts';
-import type { SketchFault } from '../state/sketch-faults.ts';
+import { isLoud, type SketchFault } from '../state/sketch-faults.ts';
 import type { SketchStore } from '../state/store.ts';
 import type { PlaneMode, Tool } from '../tools/tool.ts';
 import type {
@@ -88,7 +89,7 @@ export class PageState {
   readonly themeName: ReadonlySignal<'light' | 'dark'>;
   /** Where something is wrong in the sketch or in the model made for it. */
   readonly problemPoints: ReadonlySignal<readonly Vec3[]>;
-  /** Lines that cannot be built as drawn. */
+  /** Lines that look joined and are not, and those that were refused. */
   readonly problemLines: ReadonlySignal<ReadonlySet<number>>;
   readonly hoveredPart: ReadonlySignal<string | null>;
   readonly partMarks: ReadonlySignal<{
@@ -142,12 +143,12 @@ export class PageState {
     this.problemPoints = settled(() => {
       const problems = this.stale.value ? [] : (this.result.value?.problems ?? []);
       const ofModel = problems.flatMap((problem) => (problem.at ? [problem.at] : []));
-      return [...ofModel, ...this.faults.value.map((fault) => fault.at)];
+      return [...ofModel, ...this.faults.value.filter(isLoud).map((fault) => fault.at)];
     });
     const faultyLines = settled(() => {
       const { phase, message } = solve.value;
       const refused = phase === 'refused' ? refusedLine(message) : null;
-      const faulty = this.faults.value.flatMap((fault) => fault.lines);
+      const faulty = this.faults.value.filter(isLoud).flatMap((fault) => fault.lines);
       return refused === null ? faulty : [...faulty, refused];
     });
     this.problemLines = computed(() => new Set(faultyLines.value));
@@ -217,9 +218,10 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
     name: model.name,
     report: report ?? {},
     items: check?.items ?? [],
-    problems: check?.problems.length ? check.problems : (report?.problems ?? []),
+    // The report's name the cause too; a file has none.
+    problems: report?.problems ?? check?.problems ?? [],
     wellBuilt: check?.wellBuilt ?? null,
-    buildable: check ? check.buildable : (report?.buildable ?? false),
+    buildable: check ? check.buildable && !leftUndone(report) : (report?.buildable ?? false),
     rows: countParts(model).map(
       (row): PartRow => ({
         ...row,
@@ -231,6 +233,11 @@ function resultOf(shown: ShownModel, catalogue: Catalogue): ResultState {
     bricks: model.parts.length,
     final: report !== null,
   };
+}
+
+/** Whether the search knows of a place where it failed, though what it laid holds; parts to buy are no such. */
+function leftUndone(report: Report | null): boolean {
+  return report?.problems?.some(({ kind }) => kind !== 'owned') ?? false;
 }
 
 /** The line that a refusal of the core names, such as `lines[3]: …`, or null. */

@@ -1,8 +1,9 @@
 import { effect } from '@preact/signals';
 import { readFoundSymmetries } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
+import { readSketchNotes } from '../model/sketch-notes.ts';
 import type { SolverClient } from '../solver/client.ts';
-import { findFaults } from '../state/sketch-faults.ts';
+import { findTwins } from '../state/sketch-faults.ts';
 import type { PageState } from './page-state.ts';
 
 /** A pause in the drawing after which the sketch is looked through. */
@@ -22,11 +23,10 @@ export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>)
     const { signal } = looking;
     timer = setTimeout(() => {
       const looked = isSmallEnough(sketch);
-      state.faults.value = looked ? findFaults(sketch) : [];
+      state.faults.value = looked ? findTwins(sketch) : [];
       state.foundSymmetries.value = [];
-      // One line, or two in a row, are symmetric in many ways that nobody means.
-      if (looked && sketch.lines.length > 2) {
-        void findSymmetries(state, solver, { sketch, signal });
+      if (looked && sketch.lines.length > 0) {
+        void lookThrough(state, solver, { sketch, signal });
       }
     }, PAUSE_MS);
   });
@@ -37,7 +37,7 @@ export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>)
   };
 }
 
-async function findSymmetries(
+async function lookThrough(
   state: PageState,
   solver: Pick<SolverClient, 'ask'>,
   { sketch, signal }: { readonly sketch: SketchDocument; readonly signal: AbortSignal },
@@ -47,7 +47,9 @@ async function findSymmetries(
   const reply = await solver.ask({ about: 'symmetries', sketchJson }, signal).catch(() => null);
   // What came in too late is about a sketch that is gone.
   if (reply?.outcome === 'ok' && state.store.sketch.value === sketch) {
-    state.foundSymmetries.value = readFoundSymmetries(reply.text);
+    state.faults.value = [...findTwins(sketch), ...readSketchNotes(reply.text)];
+    // One line, or two in a row, are symmetric in many ways that nobody means.
+    state.foundSymmetries.value = sketch.lines.length > 2 ? readFoundSymmetries(reply.text) : [];
   }
 }
 

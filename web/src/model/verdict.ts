@@ -30,7 +30,7 @@ export interface Verdict {
 
 /** All that the verdict is made of. What is not known yet is left out. */
 export interface VerdictInput {
-  /** Places of the drawing that no parts can make. */
+  /** Places of the drawing that are most likely not meant: lines that look joined and are not. */
   readonly faults: number;
   readonly buildable: boolean;
   readonly items: readonly CheckItem[];
@@ -51,14 +51,14 @@ const JOINTS = 'joints';
 export function verdictOf(input: VerdictInput): Verdict {
   const lamps = lampsOf(input);
   const first = firstWrong(input);
-  return { tone: first === null ? worst(lamps) : toneOf(first), lamps, first };
+  return { tone: first === null ? worst(lamps) : toneOf(first, input), lamps, first };
 }
 
 function lampsOf(input: VerdictInput): Lamp[] {
   const { faults, buildable, pieces, missing } = input;
-  const made: LampState = pieces > 1 || missing > 0 ? 'warn' : 'ok';
+  const made: LampState = faults > 0 || pieces > 1 || missing > 0 ? 'warn' : 'ok';
   const rest = [...wellBuiltLamp(input), standsLamp(input), movesLamp(input)];
-  if (buildable && faults === 0) {
+  if (buildable) {
     return [{ id: 'buildable', state: made }, ...rest];
   }
   // Whatever else may be said of it, nothing is green under a red verdict.
@@ -107,8 +107,8 @@ function firstWrong(input: VerdictInput): FirstWrong | null {
   return item ? { kind: 'wellBuilt', item } : null;
 }
 
-function toneOf({ kind }: FirstWrong): LampState {
-  return kind === 'fault' || kind === 'problem' || kind === 'item' ? 'bad' : 'warn';
+function toneOf({ kind }: FirstWrong, { buildable }: VerdictInput): LampState {
+  return !buildable || kind === 'problem' || kind === 'item' ? 'bad' : 'warn';
 }
 
 function worst(lamps: readonly Lamp[]): LampState {

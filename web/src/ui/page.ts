@@ -185,7 +185,7 @@ export interface Page {
   readonly announcement: ReadonlySignal<string>;
   /** Somebody else's sketch is on the page, and nothing was changed in it. */
   readonly lookedAt: ReadonlySignal<boolean>;
-  /** What cannot be built as drawn. */
+  /** What is most likely not meant in the drawing. */
   readonly faults: ReadonlySignal<readonly SketchFault[]>;
   /** What brings the sketch onto itself and is not kept yet. */
   readonly foundSymmetries: ReadonlySignal<readonly FoundSymmetry[]>;

@@ -1,6 +1,7 @@
 import type { Problem, Report } from '../model/report.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CommandButton } from './controls.tsx';
+import { placesInWords } from './fault-words.ts';
 import { Icon } from './icon.tsx';
 import type { ResultState } from './page.ts';
 import { usePage } from './page-context.ts';
@@ -133,7 +134,7 @@ function Problems({ problems }: { readonly problems: readonly Problem[] }) {
               onClick={() => page.focusProblem(i)}
             >
               <Icon name="alert" />
-              <span>{inWords(problem.message)}</span>
+              <span>{placesInWords(inWords(problem.message))}</span>
             </button>
           </li>
         ))}

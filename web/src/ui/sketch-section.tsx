@@ -2,6 +2,7 @@ import type { Vec3 } from '../geometry/vec.ts';
 import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
 import type { Stretch } from '../model/report.ts';
 import type { SketchSymmetry } from '../model/sketch.ts';
+import { hasMend, isLoud } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { Section } from './controls.tsx';
 import { faultSentence, mendWords } from './fault-words.ts';
@@ -12,7 +13,7 @@ import { text } from './text.ts';
 
 const SHOWN = 6;
 
-/** What cannot be built, each with its mend. Nothing when all is well. */
+/** What is most likely not meant, each with its place and its mend. Nothing when all is well. */
 export function SketchFaults() {
   const page = usePage();
   const faults = page.faults.value;
@@ -24,14 +25,16 @@ export function SketchFaults() {
       <h3>{text.faults.title}</h3>
       <ul>
         {faults.slice(0, SHOWN).map((fault) => (
-          <li key={`${fault.kind}${fault.lines.join()}`} class="fault">
+          <li key={`${fault.kind}${fault.lines.join()}${fault.at.join()}`} class="fault">
             <button type="button" class="problem" onClick={() => page.showPlace(fault.at)}>
-              <Icon name="alert" />
+              <Icon name={isLoud(fault) || fault.kind === 'pieces' ? 'alert' : 'info'} />
               <span>{faultSentence(fault)}</span>
             </button>
-            <button type="button" class="button secondary small" onClick={() => page.mend(fault)}>
-              {mendWords(fault)}
-            </button>
+            {hasMend(fault) ? (
+              <button type="button" class="button secondary small" onClick={() => page.mend(fault)}>
+                {mendWords(fault)}
+              </button>
+            ) : null}
           </li>
         ))}
       </ul>

@@ -2,6 +2,7 @@ import type { RefObject } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Lamp, LampState } from '../model/verdict.ts';
 import { connectedLines } from '../state/connectivity.ts';
+import { hasMend, isLoud } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CommandButton } from './controls.tsx';
 import { mendWords } from './fault-words.ts';
@@ -70,16 +71,17 @@ function useKeptHeight(keep: boolean): RefObject<HTMLElement | null> {
 function Ways({ card }: { readonly card: CardState }) {
   const page = usePage();
   const { first } = card;
-  const [fault] = page.faults.value;
+  const fault = page.faults.value.find(isLoud);
   if (first === null) {
     return null;
   }
-  const more = first.kind === 'fault' ? page.faults.value.length : manyProblems(page);
+  const more =
+    first.kind === 'fault' ? page.faults.value.filter(isLoud).length : manyProblems(page);
   const show = placeToShow(page, card);
   const inCheck = placeOf(page.room.value) === 'check';
   return (
     <div class="mends">
-      {first.kind === 'fault' && fault ? (
+      {first.kind === 'fault' && fault && hasMend(fault) ? (
         <button type="button" class="button primary small" onClick={() => page.mend(fault)}>
           {mendWords(fault)}
         </button>
@@ -107,7 +109,7 @@ function manyProblems({ result }: Page): number {
 
 /** What lights the place of what is wrong first; null where it has none. */
 function placeToShow(page: Page, { first }: CardState): (() => void) | null {
-  const [fault] = page.faults.value;
+  const fault = page.faults.value.find(isLoud);
   switch (first?.kind) {
     case 'fault':
       return fault ? () => page.showPlace(fault.at) : null;

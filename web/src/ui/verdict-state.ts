@@ -1,8 +1,9 @@
 import { shortages } from '../model/brick-set.ts';
 import type { WellBuiltItem } from '../model/report.ts';
 import { type FirstWrong, type Lamp, type LampState, verdictOf } from '../model/verdict.ts';
+import { isLoud, type SketchFault } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
-import { faultSentence } from './fault-words.ts';
+import { faultSentence, placesInWords } from './fault-words.ts';
 import type { Page, ResultState } from './page.ts';
 import { formatNumber } from './text/language.ts';
 import { inWords } from './text/sentences.ts';
@@ -30,8 +31,9 @@ export function cardState(page: Page): CardState {
   if (phase === 'solving') {
     return unfinished('busy', text.verdict.solving, searchWords(page));
   }
-  if (page.faults.value.length > 0) {
-    return { ...faulty(page), lamps: lampsFor(page, shown), final: shown?.final === true };
+  const fault = page.faults.value.find(isLoud);
+  if (fault) {
+    return faulty(page, shown, fault);
   }
   if (phase === 'refused' || phase === 'failed') {
     const title = phase === 'refused' ? text.verdict.fault : text.verdict.bad;
@@ -53,18 +55,20 @@ function allLamps(buildable: LampState): Lamp[] {
   return LAMPS.map((id) => ({ id, state: id === 'buildable' ? buildable : rest }));
 }
 
-function faulty(page: Page): Pick<CardState, 'tone' | 'title' | 'words' | 'first'> {
-  const [fault] = page.faults.value;
+/** Lines that look joined and are not come first; how bad that is, the model made of them says. */
+function faulty(page: Page, shown: ResultState | null, fault: SketchFault): CardState {
+  const judged = shown?.final && !page.stale.value ? judge(page, shown) : null;
+  const refused = page.solve.value.phase === 'refused';
+  const bad = refused || judged?.tone === 'bad';
+  const { verdict } = text;
   return {
-    tone: 'bad',
-    title: text.verdict.fault,
-    words: fault ? faultSentence(fault) : '',
+    tone: bad ? 'bad' : 'warn',
+    title: bad ? verdict.fault : judged ? verdict.apart : verdict.look,
+    words: faultSentence(fault),
     first: { kind: 'fault' },
+    lamps: judged?.lamps ?? allLamps(bad ? 'bad' : 'warn'),
+    final: shown?.final === true,
   };
-}
-
-function lampsFor(page: Page, shown: ResultState | null): readonly Lamp[] {
-  return shown?.final && !page.stale.value ? judge(page, shown).lamps : allLamps('bad');
 }
 
 function stale(page: Page): CardState {
@@ -94,7 +98,7 @@ function judge(page: Page, shown: ResultState) {
   const short = shortages(shown.rows, page.preferences.value.owned);
   const sketch = page.shown.value?.sketch;
   return verdictOf({
-    faults: page.faults.value.length,
+    faults: page.faults.value.filter(isLoud).length,
     buildable: shown.buildable,
     items: shown.items,
     problems: shown.problems,
@@ -112,7 +116,7 @@ function wordsFor(first: FirstWrong): readonly [title: string, words: string] {
     case 'fault':
       return [verdict.fault, ''];
     case 'problem':
-      return [verdict.bad, sentence(inWords(first.problem.message))];
+      return [verdict.bad, placesInWords(inWords(first.problem.message))];
     case 'item':
       return [verdict.bad, itemWords(first.item.title)];
     case 'missing':

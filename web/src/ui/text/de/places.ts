@@ -50,6 +50,8 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
     ok: 'Baubar',
     okText: 'Alle Prüfungen bestanden.',
     fault: 'So nicht baubar',
+    apart: 'Baubar, aber Linien treffen sich nicht',
+    look: 'In der Zeichnung ist etwas zu richten',
     bad: 'Noch nicht baubar',
     badText: 'Was nicht stimmt, steht unter „Prüfen“.',
     failedItem: 'Nicht erfüllt: {what}',

@@ -3,12 +3,18 @@ import type { Words } from '../language.ts';
 
 export const SKETCH_DE: Words<typeof SKETCH_EN> = {
   faults: {
-    title: 'So nicht baubar',
+    title: 'In der Zeichnung zu prüfen',
     crossing:
       'Die Linien {a} und {b} kreuzen sich zwischen ihren Knoten: kein Pin verbindet sie dort.',
     mendCrossing: 'Auf Knoten rücken',
     twin: 'Die Linien {a} und {b} sind zweimal dieselbe.',
     mendTwin: 'Eine entfernen',
+    mendNear: 'Zusammenrücken',
+    mendLine: 'Linie ergänzen',
+    mendMoved: 'So zeichnen',
+    line: 'Linie {n}',
+    from: 'der Anfang von Linie {n}',
+    to: 'das Ende von Linie {n}',
     refused: 'Linie {n}: {message}',
     edit: 'Beheben',
   },

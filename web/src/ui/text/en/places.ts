@@ -49,6 +49,8 @@ export const PLACES_EN = {
     ok: 'Buildable',
     okText: 'Every check passed.',
     fault: 'Cannot be built as drawn',
+    apart: 'Buildable, but lines do not meet',
+    look: 'Something in the drawing to mend',
     bad: 'Not buildable yet',
     badText: 'See what is wrong in Check.',
     failedItem: 'Not met: {what}',

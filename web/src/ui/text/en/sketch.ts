@@ -2,11 +2,17 @@
 
 export const SKETCH_EN = {
   faults: {
-    title: 'Cannot be built as drawn',
+    title: 'Worth a look in the drawing',
     crossing: 'Lines {a} and {b} cross between their nodes: no pin can join them.',
     mendCrossing: 'Move to nodes',
     twin: 'Lines {a} and {b} are the same line twice.',
     mendTwin: 'Remove one',
+    mendNear: 'Bring together',
+    mendLine: 'Add the line',
+    mendMoved: 'Draw it so',
+    line: 'line {n}',
+    from: 'the start of line {n}',
+    to: 'the end of line {n}',
     refused: 'Line {n}: {message}',
     edit: 'Mend',
   },
