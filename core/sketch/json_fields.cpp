@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 #include "sketch/json_text.h"
 
@@ -41,6 +43,39 @@ std::string kindOf(const json& value) {
 //! changes no bit.
 constexpr double kUnitTolerance = 1e-12;
 
+//! In how many letters two words differ at the least, capitals aside; no more than `most` + 1.
+std::size_t lettersApart(std::string_view a, std::string_view b, std::size_t most) {
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > most) {
+    return most + 1;
+  }
+  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t corner = row[0];
+    row[0] = i + 1;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const std::size_t kept = corner + (small(a[i]) == small(b[k]) ? 0 : 1);
+      corner = row[k + 1];
+      row[k + 1] = std::min({kept, row[k] + 1, corner + 1});
+    }
+  }
+  return row.back();
+}
+
+//! The known key that an unknown one most likely was to be; empty where none is like it.
+std::string_view nearestKey(std::string_view key, std::initializer_list<std::string_view> known) {
+  constexpr std::size_t kMostApart = 2;
+  std::string_view nearest;
+  std::size_t least = kMostApart + 1;
+  for (const std::string_view name : known) {
+    const std::size_t apart = lettersApart(key, name, kMostApart);
+    nearest = apart < least ? name : nearest;
+    least = std::min(least, apart);
+  }
+  return nearest;
+}
+
 constexpr double kMaxDirection = 1e6;  //!< components of a normal or an axis before it is made unit
 constexpr double kMinDirection = 1e-6;
 
@@ -65,7 +100,11 @@ bool FieldReader::object(const json& value,
       for (const std::string_view name : knownKeys) {
         known += (known.empty() ? "" : ", ") + std::string(name);
       }
-      return fail(place, "unknown key " + inQuotes(key) + "; known keys here: " + known);
+      const std::string_view nearest = nearestKey(key, knownKeys);
+      return fail(place,
+                  "unknown key " + inQuotes(key) +
+                      (nearest.empty() ? "" : ", most likely " + std::string(nearest)) +
+                      "; known keys here: " + known);
     }
   }
   return !failed();

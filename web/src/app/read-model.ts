@@ -4,7 +4,11 @@ import type { Model, PlacedPart } from '../model/model.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { text } from '../ui/text.ts';
 
-const MAX_PARTS = 200_000;
+// The limits of the core (core/model/model_json.h).
+const MAX_PARTS = 100_000;
+const MAX_POSITION = 5000;
+const MAX_WHOLE = 1e6;
+const MAX_NAME = 1000;
 
 /** Reads the text of a model file as far as the picture and the parts list need it. */
 export function readModel(json: string): Outcome<Model> {
@@ -15,6 +19,10 @@ export function readModel(json: string): Outcome<Model> {
     return bad(text.files.notJson);
   }
   if (typeof value !== 'object' || value === null || !('parts' in value)) {
+    return bad(text.files.neither);
+  }
+  const { format, version } = value as { readonly format?: unknown; readonly version?: unknown };
+  if (format !== 'liftarm-model' || version !== 1) {
     return bad(text.files.neither);
   }
   const rows: unknown = value.parts;
@@ -29,8 +37,10 @@ export function readModel(json: string): Outcome<Model> {
     }
     parts.push(part);
   }
-  const name = 'name' in value && typeof value.name === 'string' ? value.name : '';
-  return good({ name, parts });
+  const name: unknown = 'name' in value ? value.name : '';
+  return typeof name === 'string' && name.length <= MAX_NAME
+    ? good({ name, parts })
+    : bad(text.files.neither);
 }
 
 function readPart(row: unknown): PlacedPart | null {
@@ -41,7 +51,8 @@ function readPart(row: unknown): PlacedPart | null {
     string,
     unknown
   >;
-  if (typeof part !== 'string' || !isNumbers(position, 3) || !isNumbers(rotation, 9)) {
+  const placed = isNumbers(position, 3) && isNumbers(rotation, 9);
+  if (typeof part !== 'string' || !placed || ![color, component, layer, piece].every(isWhole)) {
     return null;
   }
   return {
@@ -56,7 +67,16 @@ function readPart(row: unknown): PlacedPart | null {
 }
 
 function isNumbers(value: unknown, count: number): value is readonly number[] {
-  return Array.isArray(value) && value.length === count && value.every(Number.isFinite);
+  return (
+    Array.isArray(value) &&
+    value.length === count &&
+    value.every((x) => Number.isFinite(x) && Math.abs(x) <= MAX_POSITION)
+  );
+}
+
+/** A whole number, or none at all. */
+function isWhole(value: unknown): boolean {
+  return value === undefined || (Number.isInteger(value) && Math.abs(Number(value)) <= MAX_WHOLE);
 }
 
 function numberOr(value: unknown, other: number): number {

@@ -5,6 +5,7 @@ export const COLOUR_SCHEMES = ['length', 'component', 'usual'] as const;
 export type ColourPlan = (typeof COLOUR_SCHEMES)[number];
 
 const COLOUR_KINDS = ['beam', 'bent', 'pin', 'axle', 'connector', 'bush', 'gear'];
+const KEYS = ['scheme', 'default', 'kinds', 'lines'];
 const MAX_COLOUR = 511;
 /** LDraw's stand-ins for "as the whole" and "as its edges". */
 const NO_COLOURS = [16, 24];
@@ -35,6 +36,10 @@ export function tidyColours(colours: SketchColours): SketchColours | null {
 export function coloursFault(value: unknown, lineCount: number): string | null {
   if (!isRecord(value)) {
     return 'colours: should be an object';
+  }
+  const stray = Object.keys(value).find((key) => !KEYS.includes(key));
+  if (stray !== undefined) {
+    return `colours: ${stray.slice(0, 20)} is not known`;
   }
   const { scheme, default: all, kinds = {}, lines = {} } = value;
   if (scheme !== undefined && !COLOUR_SCHEMES.some((known) => known === scheme)) {

@@ -9,6 +9,7 @@ import {
   type SketchSymmetry,
 } from '../model/sketch.ts';
 import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
+import { strictFault } from './strict-sketch.ts';
 
 // What the page needs to trust a sketch before it draws it. The core's reader is the authority on the
 // format; this one keeps the same limits (core/sketch/sketch_json.h) so that the page cannot be hurt.
@@ -21,6 +22,8 @@ const MAX_JOINT_BODIES = 16;
 /** 0.95 is 0.05 off 1, though not in binary. */
 const LENGTH_TOLERANCE = 0.05 + 1e-9;
 const MAX_NAME = 200;
+const MAX_DIRECTION = 1e6;
+const MAX_OFFSET = 1e10;
 const MOST = { joints: 1000, symmetries: 500, keepOut: 10000 };
 
 /** Thrown inside this file alone: the place and what would be right. */
@@ -40,7 +43,9 @@ export function readSketch(text: string): Outcome<SketchDocument> {
   } catch (error) {
     return bad(`this is not JSON: ${error instanceof Error ? error.message : 'unreadable'}`);
   }
-  return readSketchValue(json);
+  const read = readSketchValue(json);
+  const fault = read.ok ? strictFault(json, read.value) : null;
+  return fault === null ? read : bad(fault);
 }
 
 /** Reads a sketch that was parsed already, as one stored by an earlier visit. */
@@ -152,7 +157,7 @@ function readJoint(json: unknown, place: string, count: number): SketchJoint {
   const value = record(json, place);
   const joint: SketchJoint = {
     at: point(value['at'], `${place}.at`),
-    axis: point(value['axis'], `${place}.axis`),
+    axis: point(value['axis'], `${place}.axis`, MAX_DIRECTION),
   };
   if (value['between'] === undefined) {
     return joint;
@@ -174,21 +179,25 @@ function readSymmetry(json: unknown, place: string, count: number): SketchSymmet
     list(list_, where, MAX_LINES).map((n, i) => lineIndex(n, `${where}[${i}]`, count));
   if (value['kind'] === 'translation') {
     const pairs = list(value['pairs'], `${place}.pairs`, MAX_LINES).map((pair, i) => {
-      const [a, b] = indices(pair, `${place}.pairs[${i}]`);
-      if (a === undefined || b === undefined) {
+      const [a, b, ...more] = indices(pair, `${place}.pairs[${i}]`);
+      if (a === undefined || b === undefined || more.length > 0) {
         throw new Refusal(`${place}.pairs[${i}]: should be two line numbers`);
       }
       return [a, b] as const;
     });
-    return { kind: 'translation', vector: point(value['vector'], `${place}.vector`), pairs };
+    return {
+      kind: 'translation',
+      vector: point(value['vector'], `${place}.vector`, 2 * MAX_COORDINATE),
+      pairs,
+    };
   }
   if (value['kind'] !== 'reflection') {
     throw new Refusal(`${place}.kind: should be "reflection" or "translation"`);
   }
   return {
     kind: 'reflection',
-    normal: point(value['normal'], `${place}.normal`),
-    offset: coordinate(value['offset'], `${place}.offset`),
+    normal: point(value['normal'], `${place}.normal`, MAX_DIRECTION),
+    offset: coordinate(value['offset'], `${place}.offset`, MAX_OFFSET),
     ...(value['lines'] === undefined ? {} : { lines: indices(value['lines'], `${place}.lines`) }),
   };
 }
@@ -215,8 +224,8 @@ function list(json: unknown, place: string, limit: number): unknown[] {
   return json;
 }
 
-function point(json: unknown, place: string): Vec3 {
-  const values = list(json, place, 3).map((value, i) => coordinate(value, `${place}[${i}]`));
+function point(json: unknown, place: string, limit = MAX_COORDINATE): Vec3 {
+  const values = list(json, place, 3).map((value, i) => coordinate(value, `${place}[${i}]`, limit));
   const [x, y, z] = values;
   if (x === undefined || y === undefined || z === undefined) {
     throw new Refusal(`${place}: should be three numbers`);
@@ -224,12 +233,12 @@ function point(json: unknown, place: string): Vec3 {
   return [x, y, z];
 }
 
-function coordinate(json: unknown, place: string): number {
+function coordinate(json: unknown, place: string, limit = MAX_COORDINATE): number {
   if (typeof json !== 'number' || !Number.isFinite(json)) {
     throw new Refusal(`${place}: should be a number`);
   }
-  if (Math.abs(json) > MAX_COORDINATE) {
-    throw new Refusal(`${place}: ${json} is beyond the limit of ${MAX_COORDINATE} modules`);
+  if (Math.abs(json) > limit) {
+    throw new Refusal(`${place}: ${json} is beyond the limit of ${limit} modules`);
   }
   return json;
 }

@@ -181,6 +181,10 @@ const FIELDS: Sentences = [
     'erwartet wird ein Objekt in Klammern, gefunden wurde {found}',
   ],
   [
+    'unknown key {key}, most likely {nearest}; known keys here: {known}',
+    'unbekannter Schlüssel {key}, wohl {nearest}; hier bekannt: {known}',
+  ],
+  [
     'unknown key {key}; known keys here: {known}',
     'unbekannter Schlüssel {key}; hier bekannt: {known}',
   ],
