@@ -34,7 +34,7 @@ function isInstalled(name) {
 }
 
 /** @param {string[]} names Debian packages that must be there afterwards. */
-async function installDebianPackages(names) {
+export async function installDebianPackages(names) {
   if (capture('dpkg-query', ['--version']).code !== 0) {
     console.log(`Not a Debian system: please see to it that these are there: ${names.join(' ')}`);
     return;

@@ -34,7 +34,7 @@ inline bool isSnapped(double off) {
 //! \details Strict: a key that the format does not know is refused, because it is most likely
 //! misspelt. Lines that overlap or stand twice are legal. A joint lies at a node of its lines, and
 //! is moved with that node when snapping moves it; so is a ground on which the lowest end point
-//! stood. \param json The file's text, at most kMaxSketchBytes. \return The sketch, or
+//! stood. \param text The file's text, at most kMaxSketchBytes. \return The sketch, or
 //! kInvalidInput with one message that names the place and what would be right,
 //!         such as `lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5`.
 base::Result<Sketch> readSketch(std::string_view text);

@@ -1,17 +1,19 @@
 # Flags of all our code (STYLE 4.3, 5.8), as one interface target.
 
 add_library(liftarm_options INTERFACE)
-target_include_directories(liftarm_options INTERFACE "${CMAKE_SOURCE_DIR}/core")
+target_include_directories(liftarm_options INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/core>"
+                                                    "$<INSTALL_INTERFACE:include/liftarm>")
+# Ours alone: who builds against the installation has warnings of their own.
 target_compile_options(
-  liftarm_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wswitch
+  liftarm_options INTERFACE "$<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wswitch>"
                             # The same bits on every platform: no fused multiply-add.
-                            -ffp-contract=off)
+                            "$<BUILD_INTERFACE:-ffp-contract=off>")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in inlined std::string concatenation that are not there (GCC bug 105651).
-  target_compile_options(liftarm_options INTERFACE -Wno-restrict)
+  target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Wno-restrict>")
 endif()
 if(LIFTARM_STRICT)
-  target_compile_options(liftarm_options INTERFACE -Werror)
+  target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Werror>")
 endif()
 
 # "Release with debug info" as we want it: full optimisation, line tables only.

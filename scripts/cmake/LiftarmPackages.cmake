@@ -7,7 +7,7 @@ function(liftarm_header_package target marker folder)
   file(MAKE_DIRECTORY "${stage}")
   file(CREATE_LINK "${${target}_ROOT}/${folder}" "${stage}/${folder}" SYMBOLIC)
   add_library(${target} INTERFACE)
-  target_include_directories(${target} SYSTEM INTERFACE "${stage}")
+  target_include_directories(${target} SYSTEM INTERFACE "$<BUILD_INTERFACE:${stage}>")
 endfunction()
 
 liftarm_header_package(liftarm_eigen Eigen/Core Eigen /usr/include/eigen3 /usr/local/include/eigen3)
