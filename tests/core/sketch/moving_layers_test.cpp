@@ -4,51 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include "core/helpers/crank_rockers.h"
 #include "sketch/moving_bodies.h"
 
 namespace liftarm::sketch {
 namespace {
 
-using lattice::Vec3;
-
 constexpr int kReach = 2;
 
-//! A crank of 2, a coupler of 6, a rocker of 5 on pivots 6 apart in the XZ plane, the crank
-//! upright.
-Sketch crankRocker(bool required) {
-  const Vec3 crank{0, 0, 2};
-  const double along = (36.0 - 25.0 + 40.0) / (2.0 * std::sqrt(40.0));
-  const double across = std::sqrt(36.0 - along * along);
-  const Vec3 way = lattice::normalized(Vec3{6, 0, -2});
-  const Vec3 rocker = crank + along * way + across * Vec3{-way.z, 0, way.x};
-  Sketch sketch;
-  const auto add = [&](Vec3 from, Vec3 to) {
-    Line line;
-    line.from = from;
-    line.to = to;
-    line.length = static_cast<int>(std::lround(lattice::length(to - from)));
-    sketch.lines.push_back(line);
-  };
-  add({0, 0, 0}, {6, 0, 0});
-  add({0, 0, 0}, crank);
-  add(crank, rocker);
-  add({6, 0, 0}, rocker);
-  const auto joint = [&](Vec3 at, int a, int b) {
-    sketch.joints.push_back({at, {0, 1, 0}, {{a}, {b}}, {}});
-  };
-  joint({0, 0, 0}, 0, 1);
-  joint(crank, 1, 2);
-  joint(rocker, 2, 3);
-  joint({6, 0, 0}, 0, 3);
-  if (required) {
-    sketch.joints.front().range = {-180.0, 180.0};
-  }
-  return sketch;
-}
+const std::array<double, 2> kFullTurn{-180.0, 180.0};
 
 TEST(MovingBodies, JointsSetLinesApart) {
-  EXPECT_EQ(bodiesOfLines(crankRocker(true)), (std::vector<int>{0, 1, 2, 3}));
-  Sketch rigid = crankRocker(true);
+  EXPECT_EQ(bodiesOfLines(testing::crankRocker(kFullTurn)), (std::vector<int>{0, 1, 2, 3}));
+  Sketch rigid = testing::crankRocker(kFullTurn);
   rigid.joints.pop_back();
   EXPECT_EQ(bodiesOfLines(rigid), (std::vector<int>{0, 1, 2, 0}));
 }
@@ -86,11 +54,11 @@ TEST(MovingBodies, AChainStopsAtItsDeadPoint) {
 }
 
 TEST(MovingLayers, NothingIsAskedWhereNoRangeIsRequired) {
-  EXPECT_TRUE(movingLayers(crankRocker(false), kReach).empty());
+  EXPECT_TRUE(movingLayers(testing::crankRocker(std::nullopt), kReach).empty());
 }
 
 TEST(MovingLayers, CouplerAndFrameOfACrankThatGoesRoundShareNoLayer) {
-  const std::vector<LayerBits> layers = movingLayers(crankRocker(true), kReach);
+  const std::vector<LayerBits> layers = movingLayers(testing::crankRocker(kFullTurn), kReach);
   ASSERT_EQ(layers.size(), 4U);
   EXPECT_EQ(layers[0] & layers[2], 0U);
   // Neighbours on a pin lie on neighbouring layers.
@@ -99,7 +67,7 @@ TEST(MovingLayers, CouplerAndFrameOfACrankThatGoesRoundShareNoLayer) {
 }
 
 TEST(MovingLayers, AnExactLineStaysOnItsLine) {
-  Sketch sketch = crankRocker(true);
+  Sketch sketch = testing::crankRocker(kFullTurn);
   sketch.lines[2].exact = true;
   const std::vector<LayerBits> layers = movingLayers(sketch, kReach);
   ASSERT_FALSE(layers.empty());
@@ -107,7 +75,7 @@ TEST(MovingLayers, AnExactLineStaysOnItsLine) {
 }
 
 TEST(MovingLayers, LinesBesideTheMachineAreFree) {
-  Sketch sketch = crankRocker(true);
+  Sketch sketch = testing::crankRocker(kFullTurn);
   Line beside;
   beside.from = {20, 0, 0};
   beside.to = {24, 0, 0};
