@@ -28,7 +28,7 @@ struct Joint {
       between;  //!< groups of line indices, one a body; empty where just two lines meet
   //! Degrees from the drawn pose, the lower first, through which it must turn with nothing in the
   //! way; -180 to 180 is a full turn. None: as far as it goes.
-  std::optional<std::array<double, 2>> range;
+  std::optional<std::array<double, 2>> range = std::nullopt;
 };
 
 //! \brief Lines mapped onto lines: by a mirror plane {p : normal.p = offset} or by a shift.
