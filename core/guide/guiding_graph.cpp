@@ -105,7 +105,6 @@ void addRuns(const sketch::Sketch& sketch,
              const sketch::Arrangement& arrangement,
              const std::vector<Segment>& segments,
              GuidingGraph* graph) {
-  constexpr unsigned onLine = 1U << static_cast<unsigned>(kMaxLayer);
   const std::vector<sketch::LayerBits> layers = sketch::movingLayers(sketch, kMaxLayer);
   for (const Segment& segment : segments) {
     const sketch::Run& source = arrangement.runs[static_cast<std::size_t>(segment.run)];
@@ -120,7 +119,7 @@ void addRuns(const sketch::Sketch& sketch,
         run.layers &= layers[static_cast<std::size_t>(line)];
       }
     }
-    run.layers = run.exact ? onLine : run.layers;
+    run.layers = run.exact ? 1U << static_cast<unsigned>(kMaxLayer) : run.layers;
     run.piece = source.piece;
     graph->edges += run.edgeCount();
     graph->runs.push_back(std::move(run));
