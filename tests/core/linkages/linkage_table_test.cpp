@@ -1,6 +1,7 @@
 #include "linkages/linkage_table.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "linkages/linkage_json.h"
 #include "linkages/linkage_sketch.h"
