@@ -69,9 +69,9 @@ TEST(PathShape, SizesChangeNeitherWithPlaceNorTurnNorMirrorNorDirection) {
 
 TEST(PathMatch, RefiningFindsTheTurnThatACurveWasGiven) {
   const std::vector<Point> curve = ellipse(4, 2, 120);
-  const Placement wanted{turnsOf(36)[3], false, {2, 1}};
+  const Placement wanted{turnsOf(360)[30], false, {2, 1}};
   const DrawnPath path{placed(ellipse(4, 2, 64), wanted), true};
-  const Match found = refine(path, curve, {turnsOf(36)[2], false, {1.8, 1.1}}, Turns::kAny);
+  const Match found = refine(path, curve, {turnsOf(360)[29], false, {1.95, 1.02}}, Turns::kAny);
   EXPECT_LT(found.error, 0.01);
   EXPECT_NEAR(found.placement.turn.u, wanted.turn.u, 0.01);
 }

@@ -39,18 +39,19 @@ TEST(MovingBodies, AClosedChainStaysClosedForAFullTurn) {
 }
 
 TEST(MovingBodies, AChainStopsAtItsDeadPoint) {
-  // A triangle of rockers: 4 and 4 on pivots 6 apart with a coupler of 3.
+  // Rockers of 4 and 4 on pivots 6 apart with a coupler of 3.
   std::vector<PlanePin> pins{{0, 1, 0, 0}, {1, 2, 1.5, 3.708}, {2, 3, 4.5, 3.708}, {0, 3, 6, 0}};
   PlaneLinkage linkage(pins, 4, 0);
   int reached = 0;
   for (int degrees = 3; degrees <= 180; degrees += 3) {
-    if (!linkage.turnTo(-degrees * 3.14159265358979323846 / 180.0)) {
+    if (!linkage.turnTo(degrees * 3.14159265358979323846 / 180.0)) {
       break;
     }
     reached = degrees;
   }
-  EXPECT_GT(reached, 6);
-  EXPECT_LT(reached, 120);
+  // Coupler and rocker are in line, 7 long, where the cosine at the crank's pivot is 1/16: 86.4
+  // degrees, and the crank begins at 68.0.
+  EXPECT_EQ(reached, 18);
 }
 
 TEST(MovingLayers, NothingIsAskedWhereNoRangeIsRequired) {
