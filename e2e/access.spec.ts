@@ -164,6 +164,7 @@ sharedTest('axe finds nothing where files and links are taken', async ({ page })
 for (const [room, content] of [
   ['gallery', '.gallery-card'],
   ['lessons', '.lesson-card'],
+  ['linkage', '.path-canvas'],
 ] as const) {
   sharedTest(`axe finds nothing in the room ${room}`, async ({ page }) => {
     await page.goto(`./?room=${room}`);

@@ -189,7 +189,14 @@ test('Tab comes by every control of the drawing and shows where it is', async ({
   expect(await unreached(page)).toEqual([]);
 });
 
-for (const room of ['instructions', 'share', 'gallery', 'lessons', 'lessons&lesson=teacher']) {
+for (const room of [
+  'instructions',
+  'share',
+  'gallery',
+  'lessons',
+  'lessons&lesson=teacher',
+  'linkage',
+]) {
   test(`Tab comes by every control of the room ${room}`, async ({ page }) => {
     await page.goto(`./?room=${room}${await linkOf(SKETCH as never)}`);
     await expect(page.locator('.room-body button').first()).toBeVisible({ timeout: 60_000 });

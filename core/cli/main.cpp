@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/linkage_command.h"
 #include "cli/solve_command.h"
 
 namespace {
@@ -128,6 +129,20 @@ std::vector<Verb> addVerbs(CLI::App& app,
       {parts, liftarm::cli::partsCommand}};
 }
 
+CLI::App* addLinkage(CLI::App& app, liftarm::cli::LinkageOptions& options) {
+  CLI::App* linkage = app.add_subcommand(
+      "linkage", "Find four-bars that draw a path: sketches to be solved, the best first");
+  linkage->add_option("PATH", options.pathFile, "Path file (JSON)")->required();
+  linkage->add_option("--kind", options.kind, "any (usual), foot or line; else the file's")
+      ->type_name("KIND");
+  linkage->add_option("--turns", options.turns, "any (usual), or quarter: pivots in a row")
+      ->type_name("TURNS");
+  linkage->add_option("-o,--output", options.folder, "Folder for the sketches; none: no files")
+      ->type_name("DIR");
+  linkage->add_flag("--json", options.json, "Print the answer as one JSON object");
+  return linkage;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(kAbout, "liftarm");
   // Help of the whole command shows the options of its verbs too.
@@ -138,6 +153,9 @@ int run(int argc, char** argv) {
   OtherOptions other;
   addSolve(app, options);
   const std::vector<Verb> verbs = addVerbs(app, options, other);
+
+  liftarm::cli::LinkageOptions linkageOptions;
+  CLI::App* linkage = addLinkage(app, linkageOptions);
 
   try {
     app.parse(argc, argv);
@@ -153,6 +171,9 @@ int run(int argc, char** argv) {
   }
   const auto asked =
       std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.app->parsed(); });
+  if (linkage->parsed()) {
+    return static_cast<int>(liftarm::cli::linkageCommand(linkageOptions));
+  }
   return static_cast<int>(asked != verbs.end() ? asked->act()
                                                : liftarm::cli::solveCommand(options));
 }

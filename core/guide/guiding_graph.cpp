@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "guide/joint_bodies.h"
+#include "sketch/moving_layers.h"
 #include "sketch/point_symmetry.h"
 
 namespace liftarm::guide {
@@ -100,9 +101,11 @@ std::vector<Axis> allowedAxes(const sketch::Run& run, const Segment& segment) {
   return axes;
 }
 
-void addRuns(const sketch::Arrangement& arrangement,
+void addRuns(const sketch::Sketch& sketch,
+             const sketch::Arrangement& arrangement,
              const std::vector<Segment>& segments,
              GuidingGraph* graph) {
+  const std::vector<sketch::LayerBits> layers = sketch::movingLayers(sketch, kMaxLayer);
   for (const Segment& segment : segments) {
     const sketch::Run& source = arrangement.runs[static_cast<std::size_t>(segment.run)];
     GuideRun run;
@@ -111,6 +114,12 @@ void addRuns(const sketch::Arrangement& arrangement,
     run.axes = allowedAxes(source, segment);
     run.principal = perpendicularAxes(source.direction).size() == 2;
     run.exact = source.edges[static_cast<std::size_t>(segment.first)].exact;
+    for (int e = segment.first; e < segment.last && !layers.empty(); ++e) {
+      for (const int line : source.edges[static_cast<std::size_t>(e)].lines) {
+        run.layers &= layers[static_cast<std::size_t>(line)];
+      }
+    }
+    run.layers = run.exact ? 1U << static_cast<unsigned>(kMaxLayer) : run.layers;
     run.piece = source.piece;
     graph->edges += run.edgeCount();
     graph->runs.push_back(std::move(run));
@@ -380,7 +389,7 @@ GuidingGraph buildGuidingGraph(const sketch::Sketch& sketch, Bridging bridging) 
     graph.nodes.push_back(node.position);
   }
   const std::vector<Segment> segments = splitRuns(arrangement);
-  addRuns(arrangement, segments, &graph);
+  addRuns(sketch, arrangement, segments, &graph);
   addJoints(arrangement, segments, &graph);
   addSymmetries(sketch, arrangement, segments, &graph);
   addJunctions(&graph, bridging);

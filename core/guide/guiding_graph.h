@@ -9,6 +9,11 @@
 
 namespace liftarm::guide {
 
+//! \brief Farthest layer from its line that a beam may have.
+inline constexpr int kMaxLayer = 2;
+
+inline constexpr unsigned kAllLayers = (1U << (2U * kMaxLayer + 1U)) - 1U;
+
 //! \brief A run with what the search asks of it: which hole axes it may have, where it may not be
 //! passed.
 struct GuideRun {
@@ -16,6 +21,7 @@ struct GuideRun {
   std::vector<int> nodes;           //!< node ids; nodes.size() - 1 unit edges
   std::vector<lattice::Axis> axes;  //!< hole axes that a beam on it may have, at least one
   bool exact = false;               //!< every beam must lie on the line (layer 0)
+  unsigned layers = kAllLayers;     //!< those that beams may have: bit (layer + kMaxLayer)
   bool principal = false;           //!< parallel to a principal axis
   int piece = 0;
   std::vector<int> junctions;        //!< junction ids, in order along the run
@@ -23,6 +29,10 @@ struct GuideRun {
   std::vector<int> near;             //!< other runs that a beam of this one could touch
 
   [[nodiscard]] int edgeCount() const { return static_cast<int>(nodes.size()) - 1; }
+
+  [[nodiscard]] bool allows(int layer) const {
+    return (layers >> static_cast<unsigned>(layer + kMaxLayer) & 1U) != 0U;
+  }
 };
 
 //! \brief Where a run meets a junction.
@@ -79,9 +89,6 @@ struct GuidingGraph {
 inline bool mayBridge(const GuideRun& run, const Junction& junction) {
   return run.principal && junction.bridgeable;
 }
-
-//! \brief Farthest layer from its line that a beam may have.
-inline constexpr int kMaxLayer = 2;
 
 //! \brief Where mechanisms may bridge edges though one hole axis would serve all runs.
 enum class Bridging {

@@ -75,11 +75,26 @@ RunImage composed(const RunImage& a, const RunImage& b) {
   return image;
 }
 
+//! Whether the layers that two runs may have are images of each other.
+bool sameLayers(const GuideRun& a, const GuideRun& b, const RunImage& image, Axis axis) {
+  if (a.layers == kAllLayers && b.layers == kAllLayers) {
+    return true;
+  }
+  bool same = true;
+  for (int layer = -kMaxLayer; layer <= kMaxLayer; ++layer) {
+    const int mapped = image.layerOf(layer, at(lattice::index(axis)));
+    const bool allowed = std::abs(mapped) <= kMaxLayer && b.allows(mapped);
+    same = same && a.allows(layer) == allowed;
+  }
+  return same;
+}
+
 bool sameRules(const GuideRun& a, const GuideRun& b, const RunImage& image) {
   return a.nodes.size() == b.nodes.size() && a.exact == b.exact && a.axes.size() == b.axes.size() &&
          std::all_of(a.axes.begin(), a.axes.end(), [&](Axis axis) {
            const Axis mapped = lattice::axisFromIndex(image.axes[at(lattice::index(axis))]);
-           return std::find(b.axes.begin(), b.axes.end(), mapped) != b.axes.end();
+           return std::find(b.axes.begin(), b.axes.end(), mapped) != b.axes.end() &&
+                  sameLayers(a, b, image, axis);
          });
 }
 

@@ -139,10 +139,10 @@ int Layout::collisionsWith(int run, const Cover& cover, int other) const {
 
 int Layout::forbiddenOf(int run, const Cover& cover) const {
   const guide::GuidingGraph& graph = problem_->graph;
-  const bool exact = graph.runs[at(run)].exact;
+  const guide::GuideRun& guideRun = graph.runs[at(run)];
   int count = 0;
   for (const Beam& beam : cover.beams) {
-    count += exact && beam.layer != 0 ? beam.holes : 0;
+    count += guideRun.allows(beam.layer) ? 0 : beam.holes;
   }
   for (std::size_t b = 1; b < cover.beams.size(); ++b) {
     const Beam& before = cover.beams[b - 1];

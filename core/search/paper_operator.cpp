@@ -75,7 +75,7 @@ void PaperOperator::addLayerCosts(const PaperLayout& beams,
                               layout::holePosition(problem_->graph, guideRun, axis, i, layer))) {
         cost += kOutside;
       }
-      cost += guideRun.exact && layer != 0 ? kForbidden : 0.0;
+      cost += guideRun.allows(layer) ? 0.0 : kForbidden;
       (*costs)[at(layer + kMaxLayer)] += cost;
     }
   }

@@ -28,6 +28,15 @@ unsigned bit(int layer) {
   return 1U << static_cast<unsigned>(layer + kMaxLayer);
 }
 
+//! How far from its line the first layer is that a run may use.
+int nearestAllowed(const guide::GuideRun& run) {
+  int layer = 0;
+  while (layer < kMaxLayer && !run.allows(layer) && !run.allows(-layer)) {
+    ++layer;
+  }
+  return layer;
+}
+
 }  // namespace
 
 RunCoverer::RunCoverer(const layout::LayoutProblem& problem,
@@ -161,12 +170,14 @@ void RunCoverer::addBlockers(const layout::Layout& layout, int run, Axis axis) {
 void RunCoverer::countForbidden(int run, Axis axis, int layer) {
   const guide::GuidingGraph& graph = problem_->graph;
   forbidden_.assign(at(edges_ + 4), 0);
-  if (!graph.ground.has_value() && graph.keepOut.empty()) {
+  const guide::GuideRun& guideRun = graph.runs[at(run)];
+  if (!graph.ground.has_value() && graph.keepOut.empty() && guideRun.allows(layer)) {
     return;
   }
   for (int i = -1; i <= edges_ + 1; ++i) {
-    const bool bad = layout::forbiddenAt(
-        graph, layout::holePosition(graph, graph.runs[at(run)], axis, i, layer));
+    const bool bad =
+        !guideRun.allows(layer) ||
+        layout::forbiddenAt(graph, layout::holePosition(graph, guideRun, axis, i, layer));
     forbidden_[at(i + 2)] = forbidden_[at(i + 1)] + (bad ? 1 : 0);
   }
 }
@@ -224,7 +235,7 @@ void RunCoverer::prepare(const layout::Layout& layout, int run, Axis axis) {
   const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
   edges_ = guideRun.edgeCount();
   exact_ = guideRun.exact;
-  reach_ = exact_ ? 0 : wantedReach_;
+  reach_ = exact_ ? 0 : std::max(wantedReach_, nearestAllowed(guideRun));
   for (const Beam& fixed : fixed_) {
     reach_ = std::max(reach_, std::abs(fixed.layer));
   }

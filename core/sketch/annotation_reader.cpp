@@ -1,5 +1,6 @@
 #include "sketch/annotation_reader.h"
 
+#include <array>
 #include <cmath>
 
 #include "sketch/json_text.h"
@@ -12,12 +13,16 @@ namespace {
 using nlohmann::json;
 
 constexpr double kMaxOffset = 1e10;  // a normal of length 1e6 times a coordinate
+constexpr double kMaxRange = 180.0;  // degrees either way
 
 //! Reads what a sketch says about its lines. \pre the lines are read.
 class AnnotationReader {
  public:
   AnnotationReader(const json& document, FieldReader& fields, Sketch& sketch)
-      : document_(document), fields_(fields), sketch_(sketch) {}
+      : document_(document),
+        fields_(fields),
+        sketch_(sketch),
+        latest_(document.value("version", 1.0) > 1.0) {}
 
   bool read() { return readJoints() && readSymmetries() && readKeepOut() && readGround(); }
 
@@ -55,7 +60,8 @@ class AnnotationReader {
 
   bool readJoint(const json& value, const std::string& place) {
     Joint joint;
-    if (!fields_.object(value, place, {"at", "axis", "between"})) {
+    if (!(latest_ ? fields_.object(value, place, {"at", "axis", "between", "kind", "range"})
+                  : fields_.object(value, place, {"at", "axis", "between"}))) {
       return false;
     }
     const json* const at = fields_.required(value, "at", place, "three numbers [x, y, z]");
@@ -92,7 +98,49 @@ class AnnotationReader {
       return fields_.fail(
           place, "the joints name more than " + std::to_string(kMaxJointLines) + " lines together");
     }
+    if (!readKind(value, place) || !readRange(value, place, joint)) {
+      return false;
+    }
     sketch_.joints.push_back(std::move(joint));
+    return true;
+  }
+
+  //! Hinges alone can be had so far.
+  bool readKind(const json& value, const std::string& place) {
+    const auto kind = value.find("kind");
+    std::string name;
+    if (kind == value.end()) {
+      return true;
+    }
+    if (!fields_.text(*kind, memberPlace(place, "kind"), name)) {
+      return false;
+    }
+    return name == "hinge" || fields_.fail(memberPlace(place, "kind"),
+                                           inQuotes(name) + " is not known; expected \"hinge\"");
+  }
+
+  bool readRange(const json& value, const std::string& place, Joint& joint) {
+    const auto range = value.find("range");
+    if (range == value.end()) {
+      return true;
+    }
+    const std::string rangePlace = memberPlace(place, "range");
+    if (!fields_.array(*range, rangePlace, "two angles in degrees")) {
+      return false;
+    }
+    std::array<double, 2> ends{};
+    if (range->size() != ends.size()) {
+      return fields_.fail(rangePlace, "expected two angles in degrees, such as [-180, 180]");
+    }
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (!fields_.number((*range)[i], elementPlace(rangePlace, i), kMaxRange, ends[i])) {
+        return false;
+      }
+    }
+    if (ends[0] > 0.0 || ends[1] < 0.0 || ends[0] == ends[1]) {
+      return fields_.fail(rangePlace, "expected an angle of at most 0 and one of at least 0");
+    }
+    joint.range = ends;
     return true;
   }
 
@@ -248,6 +296,7 @@ class AnnotationReader {
   const json& document_;
   FieldReader& fields_;
   Sketch& sketch_;
+  bool latest_;  // of version 2
   std::size_t jointLines_ = 0;
 };
 

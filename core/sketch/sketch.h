@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,6 +26,9 @@ struct Joint {
   lattice::Vec3 axis;  //!< unit length
   std::vector<std::vector<int>>
       between;  //!< groups of line indices, one a body; empty where just two lines meet
+  //! Degrees from the drawn pose, the lower first, through which it must turn with nothing in the
+  //! way; -180 to 180 is a full turn. None: as far as it goes.
+  std::optional<std::array<double, 2>> range = std::nullopt;
 };
 
 //! \brief Lines mapped onto lines: by a mirror plane {p : normal.p = offset} or by a shift.

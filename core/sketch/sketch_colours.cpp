@@ -189,7 +189,10 @@ std::string writeSketch(const Sketch& sketch, const SketchColours& colours) {
   }
   // Both versions differ in their number and in what may follow.
   const std::string number = "\"version\": 1";
-  text.replace(text.find(number), number.size(), "\"version\": 2");
+  const std::size_t place = text.find(number);
+  if (place < text.find("\"lines\"")) {
+    text.replace(place, number.size(), "\"version\": 2");
+  }
   text.resize(text.rfind("\n}"));
   return text + ",\n  \"colours\": " + coloursText(colours) + "\n}\n";
 }

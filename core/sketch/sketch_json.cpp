@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::string_view kFormat = "technic-sketch";
 constexpr double kVersion = 1;
-constexpr double kLatestVersion = 2;  // adds colours
+constexpr double kLatestVersion = 2;  // adds colours and what joints must do
 
 //! Reads the members of a document into a sketch, in the order in which a person would.
 class SketchReader {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -53,6 +54,10 @@ std::string jointText(const Joint& joint) {
     }
     text += R"(, "between": [)" + groups + "]";
   }
+  if (joint.range.has_value()) {
+    text += R"(, "range": [)" + numberText((*joint.range)[0]) + ", " +
+            numberText((*joint.range)[1]) + "]";
+  }
   return text + "}";
 }
 
@@ -90,7 +95,11 @@ std::string listText(const std::string& key, const std::vector<T>& list, ToText 
 }  // namespace
 
 std::string writeSketch(const Sketch& sketch) {
-  std::string text = "{\n  \"format\": \"technic-sketch\",\n  \"version\": 1";
+  const bool latest = std::any_of(sketch.joints.begin(), sketch.joints.end(), [](const Joint& j) {
+    return j.range.has_value();
+  });
+  std::string text = "{\n  \"format\": \"technic-sketch\",\n  \"version\": ";
+  text += latest ? "2" : "1";
   if (!sketch.name.empty()) {
     text +=
         ",\n  \"name\": " + json(sketch.name).dump(-1, ' ', false, json::error_handler_t::replace);

@@ -60,7 +60,9 @@ const SKETCH = {
     { from: [4, 0, 0], to: [4, 0, 4], holeAxis: 'y' },
     { from: [4, 0, 4], to: [0, 0, 4] },
   ],
-  joints: [{ at: [4, 0, 0], axis: [0, 1, 0], between: [[0], [1]] }],
+  joints: [
+    { at: [4, 0, 0], axis: [0, 1, 0], between: [[0], [1]], kind: 'hinge', range: [-30, 60] },
+  ],
   symmetries: [
     { kind: 'reflection', normal: [1, 0, 0], offset: 2, lines: [0] },
     { kind: 'translation', vector: [0, 0, 4], pairs: [[0, 2]] },

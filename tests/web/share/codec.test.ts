@@ -41,6 +41,18 @@ const STATE_3 = {
   },
 };
 
+/** And what version 4 added. */
+const STATE_4 = {
+  ...STATE_3,
+  sketch: {
+    ...STATE_3.sketch,
+    joints: [
+      { at: [3, 0, 0], axis: [0, 1, 0], between: [[0], [1]], range: [-180, 180] },
+      { at: [3, 0, 0], axis: [1, 0, 0] },
+    ],
+  } satisfies SketchDocument,
+};
+
 async function fragment(): Promise<string> {
   const encoded = await encodeShare(STATE);
   return encoded.ok ? encoded.value : '';
@@ -55,6 +67,24 @@ describe('share link', () => {
     const path = new URL('./fixtures/v1-seesaw.txt', import.meta.url);
     const read = await decodeShare(readFileSync(path, 'utf8').trim());
     expect(read).toEqual({ ok: true, value: STATE });
+  });
+
+  it('holds the ranges of joints, with colours and without', async () => {
+    const { colours: _, ...plain } = STATE_4.sketch;
+    for (const state of [STATE_4, { ...STATE_4, sketch: plain }]) {
+      const encoded = await encodeShare(state);
+      expect(encoded.ok && encoded.value.startsWith('s4.')).toBe(true);
+      expect(await decodeShare(encoded.ok ? encoded.value : '')).toEqual({
+        ok: true,
+        value: state,
+      });
+    }
+  });
+
+  it('reads the links of version 4 for ever', async () => {
+    const path = new URL('./fixtures/v4-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE_4 });
   });
 
   it('holds settings and symmetries of both kinds', async () => {

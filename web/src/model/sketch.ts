@@ -17,6 +17,8 @@ export interface SketchJoint {
   readonly axis: Vec3;
   /** Groups of line indices that move as one; left out where just two lines meet. */
   readonly between?: readonly (readonly number[])[];
+  /** Degrees from the drawn pose through which it must turn with nothing in the way. */
+  readonly range?: readonly [number, number];
 }
 
 export type SketchSymmetry =
@@ -41,7 +43,7 @@ export interface KeepOutBox {
   readonly max: Vec3;
 }
 
-/** A sketch file; version 2 where it says something of colours. */
+/** A sketch file; version 2 where it says something of colours or of what joints must do. */
 export interface SketchDocument {
   readonly format: 'technic-sketch';
   readonly version: 1 | 2;
@@ -53,6 +55,28 @@ export interface SketchDocument {
   /** No part may lie below this z. */
   readonly ground?: number;
   readonly colours?: SketchColours;
+}
+
+/** The oldest version of the format that has all of a sketch. */
+export function versionOf(sketch: Pick<SketchDocument, 'joints' | 'colours'>): 1 | 2 {
+  return sketch.colours || sketch.joints?.some((joint) => joint.range) ? 2 : 1;
+}
+
+/** Whether a value from outside is a range that a joint can be asked for. */
+export function isRange(value: unknown): value is readonly [number, number] {
+  if (!Array.isArray(value) || value.length !== 2) {
+    return false;
+  }
+  const [from, to]: unknown[] = value;
+  return (
+    typeof from === 'number' &&
+    typeof to === 'number' &&
+    from >= -180 &&
+    from <= 0 &&
+    to >= 0 &&
+    to <= 180 &&
+    from < to
+  );
 }
 
 /** A sketch without lines. */

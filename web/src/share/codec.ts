@@ -8,6 +8,7 @@ import type {
   SketchSymmetry,
 } from '../model/sketch.ts';
 import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
+import { decodeRanges, encodeRanges } from './range-codec.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
 export interface SharedState {
@@ -49,11 +50,13 @@ const VERSIONS: Readonly<Record<string, Version>> = {
   '1': { encode: encodeV1, decode: decodeV1 },
   '2': { encode: encodeV2, decode: decodeV2 },
   '3': { encode: encodeV3, decode: decodeV3 },
+  '4': { encode: encodeV4, decode: decodeV4 },
 };
 
 /** The oldest version that holds all of a state: its link is the shortest, and older pages read it. */
 function versionFor(state: SharedState): string {
-  return state.sketch.colours ? '3' : '2';
+  const { colours, joints } = state.sketch;
+  return joints?.some((joint) => joint.range) ? '4' : colours ? '3' : '2';
 }
 
 /** The address fragment, without `#`, for a state; a failure when the sketch is too large for a link. */
@@ -186,6 +189,21 @@ function decodeV3(value: unknown): SharedState | null {
   }
   const tidy = tidyColours(colours as SketchColours);
   return tidy ? { ...state, sketch: { ...state.sketch, version: 2, colours: tidy } } : state;
+}
+
+// Version 4: version 3 with the ranges of its joints behind it.
+
+function encodeV4(state: SharedState): unknown {
+  return [...(encodeV3(state) as unknown[]), encodeRanges(state.sketch)];
+}
+
+function decodeV4(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 11) {
+    return null;
+  }
+  const state = value[9] === 0 ? decodeV2(value.slice(0, 9)) : decodeV3(value.slice(0, 10));
+  const sketch = state && decodeRanges(state.sketch, value[10]);
+  return state && sketch ? { ...state, sketch } : null;
 }
 
 /** @returns undefined for the usual settings, null for what is none. */

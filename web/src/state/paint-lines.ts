@@ -1,4 +1,4 @@
-import type { SketchDocument } from '../model/sketch.ts';
+import { type SketchDocument, versionOf } from '../model/sketch.ts';
 import { type ColourPlan, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
 
 // Edits of what a sketch says of colours.
@@ -7,7 +7,7 @@ import { type ColourPlan, type SketchColours, tidyColours } from '../model/sketc
 export function setColours(sketch: SketchDocument, colours: SketchColours | null): SketchDocument {
   const { colours: _dropped, ...rest } = sketch;
   const tidy = colours && tidyColours(colours);
-  return tidy ? { ...rest, version: 2, colours: tidy } : { ...rest, version: 1 };
+  return tidy ? { ...rest, version: 2, colours: tidy } : { ...rest, version: versionOf(rest) };
 }
 
 /** Colours beams by a scheme; null is the usual one. One colour for all beams goes. */

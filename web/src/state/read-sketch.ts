@@ -1,12 +1,14 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import {
+  isRange,
   type KeepOutBox,
   lineLength,
   type SketchDocument,
   type SketchJoint,
   type SketchLine,
   type SketchSymmetry,
+  versionOf,
 } from '../model/sketch.ts';
 import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
 import { strictFault } from './strict-sketch.ts';
@@ -91,7 +93,7 @@ function readDocument(json: unknown): SketchDocument {
   const colours = readColours(root, lines.length);
   return {
     format: 'technic-sketch',
-    version: colours ? 2 : 1,
+    version: versionOf({ joints, ...(colours ? { colours } : {}) }),
     ...(typeof root['name'] === 'string' ? { name: root['name'].slice(0, MAX_NAME) } : {}),
     lines,
     ...(joints.length > 0 ? { joints } : {}),
@@ -158,6 +160,7 @@ function readJoint(json: unknown, place: string, count: number): SketchJoint {
   const joint: SketchJoint = {
     at: point(value['at'], `${place}.at`),
     axis: point(value['axis'], `${place}.axis`, MAX_DIRECTION),
+    ...readRange(value, place),
   };
   if (value['between'] === undefined) {
     return joint;
@@ -171,6 +174,17 @@ function readJoint(json: unknown, place: string, count: number): SketchJoint {
     throw new Refusal(`${place}.between: should be two or more lists of line numbers`);
   }
   return { ...joint, between };
+}
+
+function readRange(value: Record<string, unknown>, place: string): Pick<SketchJoint, 'range'> {
+  const { kind, range } = value;
+  if (kind !== undefined && kind !== 'hinge') {
+    throw new Refusal(`${place}.kind: should be "hinge"`);
+  }
+  if (range !== undefined && !isRange(range)) {
+    throw new Refusal(`${place}.range: should be two angles in degrees, such as [-180, 180]`);
+  }
+  return range ? { range } : {};
 }
 
 function readSymmetry(json: unknown, place: string, count: number): SketchSymmetry {

@@ -11,7 +11,12 @@ export function MovePanel() {
   const page = usePage();
   const shown = page.shown.value;
   if (!shown || !page.result.value?.final) {
-    return <NeedsModel />;
+    return (
+      <>
+        <NeedsModel />
+        <FromPath />
+      </>
+    );
   }
   const joints = page.store.sketch.value.joints?.length ?? 0;
   return (
@@ -23,7 +28,20 @@ export function MovePanel() {
           <CheckRow view={FREEDOMS_CHECK} shown={shown} />
         </ul>
       </section>
+      <FromPath />
     </>
+  );
+}
+
+/** The way to a machine that draws a path. */
+function FromPath() {
+  const page = usePage();
+  return (
+    <p class="move-from-path">
+      <button type="button" class="button" onClick={() => page.openRoom('linkage')}>
+        {text.places.fromPath}
+      </button>
+    </p>
   );
 }
 

@@ -10,6 +10,7 @@ const ROWS: readonly (readonly [keyof typeof ROOM_TITLES, IconName, string | und
   ['share', 'send', 'Mod+Shift+S'],
   ['gallery', 'gallery', undefined],
   ['lessons', 'book', undefined],
+  ['linkage', 'turn', undefined],
 ];
 
 const BESIDE: readonly (readonly ['draw' | 'check' | 'move', IconName, string])[] = [

@@ -7,12 +7,14 @@ export const ROOM_TITLES = chooseWords(
     share: 'Share and download',
     gallery: 'Gallery',
     lessons: 'Lessons',
+    linkage: 'Machine from a path',
   } as const,
   {
     instructions: 'Bauanleitung',
     share: 'Teilen und herunterladen',
     gallery: 'Galerie',
     lessons: 'Lektionen',
+    linkage: 'Maschine aus einer Bahn',
   },
 );
 
@@ -37,5 +39,10 @@ export const TAKE_AWAY_ROOMS: readonly Room[] = [
     id: 'lessons',
     title: ROOM_TITLES.lessons,
     load: () => import('../lessons/lessons-room.tsx').then((m) => m.LessonsRoom),
+  },
+  {
+    id: 'linkage',
+    title: ROOM_TITLES.linkage,
+    load: () => import('../linkages/linkage-room.tsx').then((m) => m.LinkageRoom),
   },
 ];

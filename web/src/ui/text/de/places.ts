@@ -30,6 +30,7 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
     noJoints: 'In dieser Zeichnung soll sich nichts drehen.',
     noJointsText: 'Setzen Sie ein Gelenk, wo sich zwei Linien treffen: dort dreht sich das Modell.',
     addJoint: 'Gelenk setzen',
+    fromPath: 'Bahn zeichnen, Maschine bekommen',
     jointsTitle: 'Gelenke',
     looseTitle: 'Was sich sonst bewegt',
   },

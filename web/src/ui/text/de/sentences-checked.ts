@@ -138,6 +138,10 @@ const PROBLEMS: Sentences = [
 ];
 
 const MOTION: Sentences = [
+  [
+    '{range} It must turn from {from} to {to} degrees.',
+    '{range} Es muss sich von {from} bis {to} Grad drehen.',
+  ],
   ['Turns all the way round.', 'Dreht sich ganz herum.'],
   ['Turns from {from} to {to}.', 'Dreht sich von {from} bis {to}.'],
   ['{range} Pins with friction turn with it.', '{range} Pins mit Reibung drehen sich mit.'],

@@ -29,6 +29,7 @@ export const PLACES_EN = {
     noJoints: 'Nothing in this drawing is meant to turn.',
     noJointsText: 'Put a joint where two lines meet, and the model turns there.',
     addJoint: 'Put a joint',
+    fromPath: 'Draw a path, get a machine',
     jointsTitle: 'Joints',
     looseTitle: 'What else moves',
   },
