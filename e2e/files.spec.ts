@@ -1,3 +1,4 @@
+import { nameIn } from './helpers/links.ts';
 import {
   expect,
   openEmpty,
@@ -78,7 +79,8 @@ test('one clear message for each bad file, and the sketch stays', async ({ page 
 test('the link holds the sketch', async ({ page, context }) => {
   await openEmpty(page);
   await openText(page, GOOD, 'good.sketch.json');
-  await expect(page).toHaveURL(/#s\d+\./);
+  // The address follows the drawing a moment later.
+  await expect.poll(() => nameIn(page.url())).toBe('Opened');
   const address = page.url();
 
   const other = await context.browser()?.newContext();

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import type { SketchDocument } from '../../web/src/model/sketch.ts';
-import { encodeShare } from '../../web/src/share/codec.ts';
+import { decodeShare, encodeShare } from '../../web/src/share/codec.ts';
 
 /** A sketch of public/, by its path there without `.sketch.json`. */
 export function publicSketch(path: string): SketchDocument {
@@ -16,4 +16,10 @@ export async function linkOf(sketch: SketchDocument): Promise<string> {
     throw new Error(fragment.message);
   }
   return `#${fragment.value}`;
+}
+
+/** The name of the sketch that an address holds; null while it holds none. */
+export async function nameIn(address: string): Promise<string | null> {
+  const read = await decodeShare(new URL(address).hash.slice(1));
+  return read?.ok ? (read.value.sketch.name ?? '') : null;
 }
