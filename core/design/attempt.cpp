@@ -107,7 +107,9 @@ struct Attempts::Attempt {
       : solver(table, settings.connection),
         problem(layout::makeLayoutProblem(guide::buildGuidingGraph(wanted, bridgingOf(settings)),
                                           fillsGaps(settings))),
-        mobility(problem, table) {}
+        mobility(problem, table) {
+    problem.closeGroups = isPaperFamily(settings.method) && settings.closeGroups;
+  }
 
   Wishes wishes;
   double value = 0.0;  // of its best layout, with what being symmetric is worth taken off
