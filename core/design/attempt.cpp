@@ -112,7 +112,9 @@ struct Attempts::Attempt {
           const mechanisms::MechanismTable& table)
       : solver(table, settings.connection),
         problem(problemOf(wanted, settings)),
-        mobility(problem, table) {}
+        mobility(problem, table) {
+    problem.closeGroups = isPaperFamily(settings.method) && settings.closeGroups;
+  }
 
   Wishes wishes;
   double value = 0.0;  // of its best layout, with what being symmetric is worth taken off

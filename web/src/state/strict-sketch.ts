@@ -15,9 +15,11 @@ const SNAPPED = 0.05 + 1e-9;
 const ROOT = ['format', 'version', 'name', 'lines', 'joints', 'symmetries', 'keepOut', 'ground'];
 const MEMBERS = {
   lines: ['from', 'to', 'exact', 'holeAxis'],
-  joints: ['at', 'axis', 'between'],
+  joints: ['at', 'axis', 'between', 'kind', 'range'],
   keepOut: ['min', 'max'],
 } as const;
+/** Keys that only version 2 has. */
+const LATEST: ReadonlySet<string> = new Set(['kind', 'range']);
 const SYMMETRIES: Readonly<Record<string, readonly string[]>> = {
   reflection: ['kind', 'normal', 'offset', 'lines'],
   translation: ['kind', 'vector', 'pairs'],
@@ -78,11 +80,22 @@ function linesFault({ lines }: SketchDocument): string | null {
 }
 
 /** Keys of lines, joints, symmetries and boxes. */
+function keysOf(
+  member: keyof typeof MEMBERS | 'symmetries',
+  value: Fields,
+  version: unknown,
+): readonly string[] {
+  if (member === 'symmetries') {
+    return SYMMETRIES[String(value['kind'])] ?? [];
+  }
+  const known = MEMBERS[member];
+  return version === 2 ? known : known.filter((key) => !LATEST.has(key));
+}
+
 function membersFault(root: Fields): string | null {
   for (const key of ['lines', 'joints', 'symmetries', 'keepOut'] as const) {
     for (const [i, value] of ((root[key] ?? []) as readonly Fields[]).entries()) {
-      const known = key === 'symmetries' ? (SYMMETRIES[String(value['kind'])] ?? []) : MEMBERS[key];
-      const fault = unknownKey(value, known);
+      const fault = unknownKey(value, keysOf(key, value, root['version']));
       if (fault !== null) {
         return `${key}[${i}]: ${fault}`;
       }
