@@ -1,7 +1,7 @@
 // Writes what an experiment found: a page, its table as CSV and its plots, which are the same on every machine; and in
 // times/ what is not: seconds, with machine and commit.
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { markdownTable, secondsText } from '../lib/markdown.mjs';
 import { TOP } from '../lib/run.mjs';
@@ -84,7 +84,10 @@ export async function writeExperiment(folder, experiment, { found, clocked, how 
 
 /** The list of all experiments, for docs/experiments/README.md. */
 export function writeIndex(folder, experiments) {
-  const rows = experiments.map(({ name, title, shows }) => `- [${title}](${name}.md): ${shows}`);
+  const rows = experiments.map(({ name, title, shows }) => {
+    const made = existsSync(resolve(folder, `${name}.md`));
+    return made ? `- [${title}](${name}.md): ${shows}` : `- ${title} (not made yet): ${shows}`;
+  });
   const text = `# Experiments
 
 The evaluation of Xu, Hui, Fu and Zhang, "Computational LEGO Technic Design" (ACM TOG 38(6), 2019), figure by figure, with

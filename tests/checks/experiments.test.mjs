@@ -70,12 +70,15 @@ test('every experiment says what it shows and where it differs, under a name of 
   expect(new Set(EXPERIMENTS.map(({ name }) => name)).size).toBe(EXPERIMENTS.length);
 });
 
-test('the index leads to every experiment', () => {
-  writeIndex(folder, EXPERIMENTS);
+test('the index leads to every experiment that was made, and names the others', async () => {
+  await write(1);
+  writeIndex(folder, [ONE, ...EXPERIMENTS]);
   expect(existsSync(join(folder, 'README.md'))).toBe(true);
   const text = readFileSync(join(folder, 'README.md'), 'utf8');
-  for (const { name } of EXPERIMENTS) {
-    expect(text).toContain(`(${name}.md)`);
+  expect(text).toContain('[One](one.md)');
+  for (const { name, title } of EXPERIMENTS) {
+    expect(text).toContain(title);
+    expect(text).not.toContain(`(${name}.md)`);
   }
 });
 
