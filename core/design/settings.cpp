@@ -32,7 +32,7 @@ struct NumberKey {
   void (*apply)(Settings*, double);
 };
 
-constexpr std::array<NumberKey, 12> kNumberKeys{{
+constexpr std::array<NumberKey, 13> kNumberKeys{{
     {"corners", 0.0, 1.0, true, [](Settings* s, double v) { s->corners = v != 0.0; }},
     {"effort",
      0.01,
@@ -88,6 +88,7 @@ constexpr std::array<NumberKey, 12> kNumberKeys{{
      0.999999,
      false,
      [](Settings* s, double v) { s->paper.coolingRate = v; }},
+    {"paper.closeGroups", 0.0, 1.0, true, [](Settings* s, double v) { s->closeGroups = v != 0.0; }},
 }};
 
 //! A part of the search that can be switched off with 0 (docs/ablations.md).

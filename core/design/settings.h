@@ -30,7 +30,8 @@ struct Settings {
   search::AnnealingOptions annealing;
   //! Of method "paper" and its rivals; what both have is taken from `annealing`.
   search::PaperOptions paper;
-  double effort = 1.0;  //!< times the usual number of iterations
+  bool closeGroups = true;  //!< of the same: mechanisms reach sqrt(3) far (layout/layout.h)
+  double effort = 1.0;      //!< times the usual number of iterations
   // Those with which every shared sketch was found whole for every seed when corners were solved
   // one by one and with two parts at most; preset balanced adds 15100 and 44809.
   std::vector<std::string> connectors{

@@ -69,7 +69,11 @@ struct RunState {
 //! \brief The fixed part of a layout problem, shared by all layouts of one sketch.
 struct LayoutProblem {
   guide::GuidingGraph graph;
-  bool spacers = true;           //!< whether gaps in stacks may be filled
+  bool spacers = true;  //!< whether gaps in stacks may be filled
+  //! Whether mechanisms may only use holes within sqrt(3) of the uncovered edges that they bridge
+  //! (paper 5.2), in place of any within three modules of the junction. Where no edge is uncovered
+  //! a stack of beams is joined as ever.
+  bool closeGroups = false;
   std::vector<LocalView> views;  //!< by junction
   std::vector<std::vector<std::pair<int, int>>>
       seenBy;                    //!< by run: (junction, index of its RunView)
@@ -172,6 +176,7 @@ class Layout {
   bool fillOthers(int junction);
   void fillSpacersOf(const JunctionView& other);
   void addAxle(const Axle& axle, int sign);
+  void limitToGroup(int junction);
   void fillAxles(int junction);
   void joinOnAxles(int junction);
   [[nodiscard]] std::uint64_t seatsOn(int run) const;

@@ -68,6 +68,8 @@ bool enterMechanism(LocalProblem* local,
   return leans;
 }
 
+constexpr int kGroupReachSquared = 3;
+
 bool covers(const Beam& beam, int edge) {
   return beam.start <= edge && beam.last() >= edge + 1;
 }
@@ -270,7 +272,44 @@ bool Layout::fillProblem(int junction) {
     }
   }
   joinOnAxles(junction);
+  if (problem_->closeGroups) {
+    limitToGroup(junction);
+  }
   return leans;
+}
+
+//! Takes all holes out of use that are further than sqrt(3) from the junction's node and from the
+//! nodes at the ends of the uncovered edges beside it.
+void Layout::limitToGroup(int junction) {
+  std::vector<Cell> group{{0, 0, 0}};
+  for (const RunView& view : problem_->views[at(junction)].runs) {
+    const int edges = problem_->graph.runs[at(view.run)].edgeCount();
+    const std::vector<Beam>& beams = runs_[at(view.run)].cover.beams;
+    const auto bare = [&](int edge) {
+      return edge >= 0 && edge < edges &&
+             std::none_of(
+                 beams.begin(), beams.end(), [&](const Beam& beam) { return covers(beam, edge); });
+    };
+    for (const int way : {-1, 1}) {
+      int i = view.incidentIndex;
+      while (view.aligned && i >= 0 && bare(way < 0 ? i - 1 : i)) {
+        i += way;
+        group.push_back(scaled(i - view.incidentIndex, view.step));
+      }
+    }
+  }
+  if (group.size() == 1) {
+    return;  // a stack of beams that cover all edges: one pin along it
+  }
+  for (const LocalHole& hole : local_.holes()) {
+    const bool inReach = std::any_of(group.begin(), group.end(), [&](Cell node) {
+      const Cell d = hole.at - node;
+      return d.x * d.x + d.y * d.y + d.z * d.z <= kGroupReachSquared;
+    });
+    if (!inReach) {
+      local_.useHole(boxIndex(hole.at));
+    }
+  }
 }
 
 //! The usual case in a plane, without a search: all beams stacked without a gap, one pin through

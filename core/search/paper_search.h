@@ -54,6 +54,13 @@ double paperCoolingRate(const layout::LayoutProblem& problem, const PaperOptions
 //! - Other schedules ("linear, logarithmic, optimum, thermodynamic"; rivals/schedules.h) get as
 //! many
 //!   moves as the exponential one, and the full objective from the same move on at the latest.
+//! - "Beam holes around each group based on a distance threshold of sqrt(3)": of the junction's
+//! node
+//!   and the uncovered edges beside it; a group is what a junction and those edges are, and is
+//!   joined by our connection procedure (layout::LayoutProblem::closeGroups).
+//! - The footnote on lines with one interior hole, which a beam of one hole may fill whose hole
+//! lies
+//!   along the line, is left out: our layouts have no beam across its line.
 //! - A failed connection is a cluster too many in a junction's group or in a stack of one run.
 class PaperSearch final : public LayoutSearch {
  public:
