@@ -9,6 +9,8 @@ import { readyCommand } from './lib/ready-command.mjs';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { wholeNumber } from './lib/solve.mjs';
 
+const OWN = resolve(TOP, 'build/native/liftarm');
+
 const USAGE = `npm run experiments [NAME...] [-- options]
   NAME           some of: ${EXPERIMENTS.map(({ name }) => name).join(', ')}; all for none
   --quick        a small part of each, in build/experiments/quick
@@ -55,7 +57,7 @@ async function main() {
     const { timePlots, ...found } = await experiment.run(laboratory, out);
     await writeExperiment(out, experiment, {
       found,
-      clocked: { times: laboratory.times, timePlots },
+      clocked: { times: laboratory.times, timePlots, own: command === OWN },
       how: `npm run experiments ${experiment.name}${seed === 1 ? '' : ` -- --seed ${seed}`}`,
     });
     const seconds = ((performance.now() - begun) / 1000).toFixed(1);

@@ -39,7 +39,7 @@ async function writePlots(folder, name, plots) {
   return links;
 }
 
-async function writeTimes(folder, { name, title }, { times, timePlots = [] }) {
+async function writeTimes(folder, { name, title }, { times, timePlots = [], own = true }) {
   const into = resolve(folder, 'times');
   mkdirSync(into, { recursive: true });
   const rows = times.map(({ run, seconds }) => [run, secondsText(seconds)]);
@@ -49,7 +49,7 @@ async function writeTimes(folder, { name, title }, { times, timePlots = [] }) {
     resolve(into, `${name}.md`),
     `${[
       `# ${title}: seconds`,
-      `${machine()}; commit ${commit()}. Seconds of the processor, one thread, the search alone: ${secondsText(sum)} in all.`,
+      `${machine()}; ${own ? `commit ${commit()}` : 'a command built elsewhere'}. Seconds of the processor, one thread, the search alone: ${secondsText(sum)} in all.`,
       ...plots,
       markdownTable(['run', 'seconds'], rows),
     ].join('\n\n')}\n`,
@@ -61,7 +61,7 @@ async function writeTimes(folder, { name, title }, { times, timePlots = [] }) {
  * @param {string} folder
  * @param {{name: string, title: string, shows: string, differs: string}} experiment
  * @param {{tables: object[], csv: object, plots?: object[], text?: string[]}} found
- * @param {{times: object[], timePlots?: object[]}} clocked
+ * @param {{times: object[], timePlots?: object[], own?: boolean}} clocked whose command: our own, of this commit
  * @param {string} how the command that makes it
  */
 export async function writeExperiment(folder, experiment, { found, clocked, how }) {
