@@ -126,8 +126,10 @@ struct Attempts::Attempt {
 };
 
 layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings) {
-  return layout::makeLayoutProblem(guide::buildGuidingGraph(sketch, bridgingOf(settings)),
-                                   fillsGaps(settings));
+  layout::LayoutProblem problem = layout::makeLayoutProblem(
+      guide::buildGuidingGraph(sketch, bridgingOf(settings)), fillsGaps(settings));
+  problem.closeGroups = isPaperFamily(settings.method) && settings.closeGroups;
+  return problem;
 }
 
 bool isWhole(const search::LayoutSnapshot& layout) {
