@@ -112,9 +112,7 @@ struct Attempts::Attempt {
           const mechanisms::MechanismTable& table)
       : solver(table, settings.connection),
         problem(problemOf(wanted, settings)),
-        mobility(problem, table) {
-    problem.closeGroups = isPaperFamily(settings.method) && settings.closeGroups;
-  }
+        mobility(problem, table) {}
 
   Wishes wishes;
   double value = 0.0;  // of its best layout, with what being symmetric is worth taken off

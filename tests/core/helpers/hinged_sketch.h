@@ -20,8 +20,8 @@ inline sketch::Sketch hingedSketch(std::uint64_t seed) {
   const lattice::Vec3 side = unit[(k + 1) % 3];
   const lattice::Vec3 other = unit[(k + 2) % 3];
   constexpr std::pair<double, double> kTurns[] = {
-      {1, 0}, {0, 1}, {-1, 0}, {0.6, 0.8}, {-0.6, 0.8}, {0.8, -0.6}};
-  const auto [c, s] = kTurns[below(6)];
+      {0, 1}, {-1, 0}, {0.6, 0.8}, {-0.6, 0.8}, {0.8, -0.6}};
+  const auto [c, s] = kTurns[below(5)];
   const lattice::Vec3 directions[] = {side, c * side + s * other};
   sketch::Sketch result;
   result.name = "hinged";
@@ -31,7 +31,8 @@ inline sketch::Sketch hingedSketch(std::uint64_t seed) {
     result.lines.back().to = to;
   };
   for (const lattice::Vec3 direction : directions) {
-    const double back = below(3);
+    // Lines along each other end at the hinge: what lies on each other cannot turn.
+    const double back = c == -1.0 ? 0 : below(3);
     const double front = 5.0 * (1 + below(2));
     addLine(-back * direction, front * direction);
   }
