@@ -44,6 +44,7 @@ class Writer {
 
   Sequence run() {
     nameGroups();
+    copyNested();
     writeGroup(0);
     return std::move(sequence_);
   }
@@ -70,17 +71,57 @@ class Writer {
 
   bool isCopy(std::size_t g) {
     for (std::size_t known = 1; known < sequence_.groups.size(); ++known) {
-      Group& group = sequence_.groups[known];
-      std::optional<Match> match = findMatch(scene_, group.parts, plan_.groups[g].parts);
-      if (match.has_value() && !hasForced(original_[known]) && !hasForced(g)) {
+      const bool asked = !hasForced(original_[known]) && !hasForced(g);
+      if (asked && addCopy(known, plan_.groups[g].parts)) {
         number_[g] = static_cast<int>(known);
-        group.copies.push_back(std::move(match->parts));
-        group.mirrored.push_back(match->mirrored);
-        group.poses.push_back(match->pose);
         return true;
       }
     }
     return false;
+  }
+
+  bool addCopy(std::size_t known, const std::vector<int>& parts) {
+    Group& group = sequence_.groups[known];
+    std::optional<Match> match = findMatch(scene_, group.parts, parts);
+    if (!match.has_value()) {
+      return false;
+    }
+    group.copies.push_back(std::move(match->parts));
+    group.mirrored.push_back(match->mirrored);
+    group.poses.push_back(match->pose);
+    return true;
+  }
+
+  //! A copy of a group has copies of all that is built apart in it.
+  void copyNested() {
+    std::vector<std::size_t> followed(sequence_.groups.size(), 0);
+    for (bool any = true; any;) {
+      any = false;
+      for (std::size_t known = 0; known < sequence_.groups.size(); ++known) {
+        while (followed[known] < sequence_.groups[known].copies.size()) {
+          any = true;
+          copyInto(known, followed[known]++);
+        }
+      }
+    }
+  }
+
+  void copyInto(std::size_t known, std::size_t copy) {
+    for (const Removal& removal : plan_.groups[original_[known]].removals) {
+      if (removal.group < 0) {
+        continue;
+      }
+      const auto nested = static_cast<std::size_t>(removal.group);
+      const std::vector<int>& from = sequence_.groups[known].parts;
+      const std::vector<int>& to = sequence_.groups[known].copies[copy];
+      std::vector<int> parts;
+      for (const int part : plan_.groups[nested].parts) {
+        const auto place = std::find(from.begin(), from.end(), part) - from.begin();
+        parts.push_back(to[static_cast<std::size_t>(place)]);
+      }
+      std::sort(parts.begin(), parts.end());
+      addCopy(static_cast<std::size_t>(number_[nested]), parts);
+    }
   }
 
   [[nodiscard]] bool hasForced(std::size_t g) const {

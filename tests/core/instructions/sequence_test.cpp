@@ -136,6 +136,34 @@ TEST(Sequence, CopiesHaveTheSamePartsInTheSameOrder) {
   }
 }
 
+//! Four squares of squares: what is built apart has parts that are built apart.
+model::Model squaresOfPairs() {
+  model::Model model = fourSquares();
+  const model::Model row = model;
+  for (model::PlacedPart part : row.parts) {
+    part.pose.position = part.pose.position + Vec3{0, 40, 3};
+    model.parts.push_back(part);
+  }
+  return model;
+}
+
+TEST(Sequence, WithItsCopiesBuildsEachPartOnce) {
+  std::vector<model::Model> all = models();
+  all.push_back(squaresOfPairs());
+  for (const model::Model& model : all) {
+    const Sequence sequence = planSequence(analysis::makeScene(model, parts::Catalogue::builtIn()));
+    std::size_t built = 0;
+    for (const Step& step : sequence.steps) {
+      for (const Add& add : step.adds) {
+        const std::size_t times =
+            1 + sequence.groups[static_cast<std::size_t>(step.group)].copies.size();
+        built += add.subgroup < 0 ? times * add.parts.size() : 0;
+      }
+    }
+    EXPECT_EQ(built, model.parts.size()) << model.name;
+  }
+}
+
 TEST(Sequence, RepeatedSquaresAreBuiltOnce) {
   const Sequence sequence = sequenceOf(fourSquares());
   ASSERT_EQ(sequence.groups.size(), 2U);
