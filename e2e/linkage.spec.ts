@@ -32,14 +32,15 @@ test('a drawn path becomes a machine that turns', async ({ page }) => {
   await cards(page).first().click();
   await expect(page.getByLabel('Name of the sketch')).toHaveValue(/^Four-bar/);
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 90_000 });
-  await page.goto(`${page.url().split('?')[0]}?room=move`);
+  await page.getByRole('link', { name: 'Move' }).click();
   await expect(page.getByText('all the way round').first()).toBeVisible({ timeout: 90_000 });
 });
 
 test('a machine can be had without drawing by hand', async ({ page }) => {
   await page.goto('./?room=linkage');
-  await page.getByRole('button', { name: 'Foot', exact: true }).press('Enter');
+  const room = page.locator('.linkages');
+  await room.getByRole('button', { name: 'Foot', exact: true }).press('Enter');
   await expect(cards(page)).toHaveCount(6, { timeout: 90_000 });
-  await page.getByRole('button', { name: 'Line', exact: true }).press('Enter');
+  await room.getByRole('button', { name: 'Line', exact: true }).press('Enter');
   await expect(cards(page).first()).toContainText('0.0');
 });
