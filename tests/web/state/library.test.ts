@@ -52,6 +52,44 @@ describe('the library of sketches', () => {
     expect(await shown(new Tab({ store }))).toBe('Table');
   });
 
+  it('writes what a page that went had no time to write', async () => {
+    const store = memoryStore();
+    const storage = tabStorage();
+    const tab = await new Tab({ store, storage }).begin();
+    tab.draw(1);
+    await tab.library.flushed();
+    // A page that goes: its writes come to no end.
+    const dying = new Tab({
+      store: { ...store, change: () => new Promise(() => undefined) },
+      storage,
+    });
+    await dying.begin();
+    dying.draw(2);
+    dying.library.flush();
+    const later = await new Tab({ store, storage }).begin();
+    expect(later.rows()).toEqual([1, 2]);
+    later.sketches.undo();
+    expect(later.rows()).toEqual([1]);
+  });
+
+  it('lets last words be that another tab has answered', async () => {
+    const store = memoryStore();
+    const storage = tabStorage();
+    const tab = await new Tab({ store, storage }).begin();
+    tab.draw(1);
+    await tab.library.flushed();
+    const dying = new Tab({
+      store: { ...store, change: () => new Promise(() => undefined) },
+      storage,
+    });
+    await dying.begin();
+    dying.draw(2);
+    dying.library.flush();
+    tab.draw(3);
+    await tab.library.flushed();
+    expect((await new Tab({ store, storage }).begin()).rows()).toEqual([1, 3]);
+  });
+
   it('does not keep a sketch that nothing was ever drawn in', async () => {
     const tab = await new Tab({ store: memoryStore() }).begin();
     tab.record([]);

@@ -1,4 +1,5 @@
 import type { SketchDocument } from '../model/sketch.ts';
+import { leaveLastWords, writeLastWords } from './last-words.ts';
 import { readSketchValue } from './read-sketch.ts';
 import {
   deleteSketch,
@@ -101,6 +102,7 @@ export class SketchLibrary {
   async begin(): Promise<KeptState | null> {
     const { store, tab } = this.#options;
     await this.#takeOver();
+    await writeLastWords(tab, store).catch(this.#options.onFailure);
     const heads = await store.read(readHeads);
     this.#writer.notBefore(heads[0]?.changed ?? 0);
     const ids = heads.map(({ id }) => id);
@@ -213,6 +215,7 @@ export class SketchLibrary {
 
   /** Hands everything to the browser at once, as when the page may be gone in a moment. */
   flush(): void {
+    leaveLastWords(this.#options.tab, this.#writer.unwritten(this.#track));
     this.#writer.flush();
   }
 

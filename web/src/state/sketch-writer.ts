@@ -121,6 +121,12 @@ export class SketchWriter {
     this.#last = this.#writeAll().then(() => before);
   }
 
+  /** What a write has not confirmed yet, with the revision that it is made on; null when all is written. */
+  unwritten(track: Track): { id: string; seen: number; after: KeptState } | null {
+    const { id, seen, after } = track as OwnTrack;
+    return this.#underWay > 0 && after !== null ? { id, seen, after } : null;
+  }
+
   /** Settles when everything given so far is written, or has failed. */
   async flushed(): Promise<void> {
     for (let last: unknown = null; last !== this.#last; ) {
