@@ -13,11 +13,11 @@ const USAGE = `npm run dataset [-- options]
   --count N      how many sketches (default 1000)
   --out DIR      default build/dataset: NAME.sketch.json
   --solve        solves each, writes NAME.model.json beside it, and RESULTS
-  --results FILE default dataset/results.csv, one line a sketch
+  --results FILE default docs/dataset/results.csv, one line a sketch
   --set k=v      handed to \`liftarm solve\`; can be repeated
   --command FILE the command to run (default build/native/liftarm, built first)`;
 
-/** As dataset/README.md says: the same on every machine. */
+/** As docs/dataset/README.md says: the same on every machine. */
 const COLUMNS = [
   'name',
   'family',
@@ -42,7 +42,7 @@ function readOptions() {
       count: { type: 'string', default: '1000' },
       out: { type: 'string', default: 'build/dataset' },
       solve: { type: 'boolean', default: false },
-      results: { type: 'string', default: 'dataset/results.csv' },
+      results: { type: 'string', default: 'docs/dataset/results.csv' },
       set: { type: 'string', multiple: true, default: [] },
       command: { type: 'string' },
       help: { type: 'boolean', default: false },

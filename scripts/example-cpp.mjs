@@ -1,4 +1,4 @@
-// `npm run example:cpp`: installs the library into build/install and builds and runs examples/cpp against it.
+// `npm run example:cpp`: installs the library into build/install and builds and runs docs/examples/cpp against it.
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { exitWith, run, TOP } from './lib/run.mjs';
@@ -20,7 +20,7 @@ async function main() {
     '-G',
     'Ninja',
     '-S',
-    'examples/cpp',
+    'docs/examples/cpp',
     '-B',
     BUILD,
     `-DCMAKE_PREFIX_PATH=${PREFIX}`,

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Judges models of Technic parts: python3 score.py --parts parts.json MODEL...
 
-Python's standard library alone. It shares no code with Liftarm: the rules are those of dataset/README.md, the solids are
+Python's standard library alone. It shares no code with Liftarm: the rules are those of docs/dataset/README.md, the solids are
 compared by alternating projections. What it does not judge is said there too: taking apart and turning joints.
 
-MODEL is a model file (dataset/README.md, "Result format"); parts.json is what `liftarm parts` prints. For each model one
+MODEL is a model file (docs/dataset/README.md, "Result format"); parts.json is what `liftarm parts` prints. For each model one
 line of JSON: {"file", "valid", "items": {"realParts": n, ...}, "beams", "bricks", "gaps"?, "problems": [...]}, n being
 the number of problems of an item. Exit code 0: all are valid; 2: some are not; 1: a file cannot be read.
 """
@@ -13,7 +13,7 @@ import json
 import math
 import sys
 
-# Tolerances, in modules of 8 mm (dataset/README.md, "Rules").
+# Tolerances, in modules of 8 mm (docs/dataset/README.md, "Rules").
 PENETRATION = 0.03
 COAXIAL_COSINE = 0.99985
 COAXIAL_DISTANCE = 0.06
