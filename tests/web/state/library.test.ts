@@ -17,6 +17,23 @@ async function withTwo(store: RecordStore, storage = tabStorage()): Promise<Tab>
   return tab;
 }
 
+/** A sketch with row 1, and a page that went with row 2: its writes come to no end. */
+async function leftUnwritten() {
+  const store = memoryStore();
+  const storage = tabStorage();
+  const tab = await new Tab({ store, storage }).begin();
+  tab.draw(1);
+  await tab.library.flushed();
+  const dying = new Tab({
+    store: { ...store, change: () => new Promise(() => undefined) },
+    storage,
+  });
+  await dying.begin();
+  dying.draw(2);
+  dying.library.flush();
+  return { store, storage, tab };
+}
+
 describe('the library of sketches', () => {
   it('keeps each sketch, the last changed first', async () => {
     expect(await names(await withTwo(memoryStore()))).toEqual(['Chair', 'Table']);
@@ -53,19 +70,7 @@ describe('the library of sketches', () => {
   });
 
   it('writes what a page that went had no time to write', async () => {
-    const store = memoryStore();
-    const storage = tabStorage();
-    const tab = await new Tab({ store, storage }).begin();
-    tab.draw(1);
-    await tab.library.flushed();
-    // A page that goes: its writes come to no end.
-    const dying = new Tab({
-      store: { ...store, change: () => new Promise(() => undefined) },
-      storage,
-    });
-    await dying.begin();
-    dying.draw(2);
-    dying.library.flush();
+    const { store, storage } = await leftUnwritten();
     const later = await new Tab({ store, storage }).begin();
     expect(later.rows()).toEqual([1, 2]);
     later.sketches.undo();
@@ -73,18 +78,7 @@ describe('the library of sketches', () => {
   });
 
   it('lets last words be that another tab has answered', async () => {
-    const store = memoryStore();
-    const storage = tabStorage();
-    const tab = await new Tab({ store, storage }).begin();
-    tab.draw(1);
-    await tab.library.flushed();
-    const dying = new Tab({
-      store: { ...store, change: () => new Promise(() => undefined) },
-      storage,
-    });
-    await dying.begin();
-    dying.draw(2);
-    dying.library.flush();
+    const { store, storage, tab } = await leftUnwritten();
     tab.draw(3);
     await tab.library.flushed();
     expect((await new Tab({ store, storage }).begin()).rows()).toEqual([1, 3]);
