@@ -51,8 +51,14 @@ function readVitest(file) {
 }
 
 function readPlaywright(file) {
-  const { expected, unexpected, flaky, skipped } = readJson(file).stats;
-  return { passed: expected, failed: unexpected + flaky, skipped };
+  const { stats, suites } = readJson(file);
+  const { expected, unexpected, flaky, skipped } = stats;
+  const inside = (suite) => [...(suite.specs ?? []), ...(suite.suites ?? []).flatMap(inside)];
+  const second = suites
+    .flatMap(inside)
+    .filter(({ tests }) => tests.some(({ status }) => status === 'flaky'))
+    .map(({ file: spec, title }) => `${spec}: ${title}`);
+  return { passed: expected + flaky, failed: unexpected, skipped, second };
 }
 
 function checkFormat() {
@@ -159,6 +165,9 @@ function printSummary() {
   console.log('');
   for (const { name, passed, failed, skipped } of counts) {
     console.log(`${name.padEnd(8)} ${passed} passed, ${failed} failed, ${skipped} skipped`);
+  }
+  for (const title of counts.flatMap(({ second }) => second ?? [])) {
+    console.log(`passed only the second time: ${title}`);
   }
   console.log(`${sum('passed')} passed, ${sum('failed')} failed`);
 }
