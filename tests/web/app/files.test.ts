@@ -7,7 +7,7 @@ import {
   type SolveResult,
   type SolverClient,
   SolverError,
-} from '../../../web/src/solver/client.ts';
+} from '../../../web/src/solver/worker-client.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 import { catalogue } from '../view/helpers/catalogue.ts';
 

@@ -1,10 +1,10 @@
+import type { SolveSettings } from '../../../web/src/solver/protocol.ts';
 import type {
   SolveResult,
   SolverClient,
   SolveWatch,
   TextResult,
-} from '../../../web/src/solver/client.ts';
-import type { SolveSettings } from '../../../web/src/solver/protocol.ts';
+} from '../../../web/src/solver/worker-client.ts';
 
 /** A search that is under way in a test: the test says what comes of it. */
 export interface PendingSolve {

@@ -1,11 +1,11 @@
 import { expect, test, vi } from 'vitest';
+import { createSolverClient } from '../../../web/src/solver/client.ts';
+import type { FromWorker, SolveProgress, ToWorker } from '../../../web/src/solver/protocol.ts';
 import {
-  createSolverClient,
   type SolverClient,
   SolverError,
   type WorkerPort,
-} from '../../../web/src/solver/client.ts';
-import type { FromWorker, SolveProgress, ToWorker } from '../../../web/src/solver/protocol.ts';
+} from '../../../web/src/solver/worker-client.ts';
 
 /** A worker that answers only when the test says so. */
 class ScriptedWorker implements WorkerPort {

@@ -1,11 +1,15 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import type { SolveResult, SolverClient, SolveWatch } from '../../../web/src/solver/client.ts';
 import type { SolveProgress, SolveSettings } from '../../../web/src/solver/protocol.ts';
 import {
   createSolverPool,
   settingsOfTry,
   workersFor,
 } from '../../../web/src/solver/solver-pool.ts';
+import type {
+  SolveResult,
+  SolverClient,
+  SolveWatch,
+} from '../../../web/src/solver/worker-client.ts';
 import { silentClient } from '../helpers/silent-client.ts';
 
 interface Running {

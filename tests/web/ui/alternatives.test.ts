@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { IDENTITY } from '../../../web/src/geometry/vec.ts';
-import type { SolveResult } from '../../../web/src/solver/client.ts';
+import type { SolveResult } from '../../../web/src/solver/worker-client.ts';
 import {
   bestIn,
   candidates,

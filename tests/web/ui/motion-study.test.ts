@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { TextResult } from '../../../web/src/solver/client.ts';
 import type { Question } from '../../../web/src/solver/protocol.ts';
+import type { TextResult } from '../../../web/src/solver/worker-client.ts';
 import { MotionStudy, motionStudyOf } from '../../../web/src/ui/checks/motion-study.ts';
 
 function answering(reply: TextResult) {

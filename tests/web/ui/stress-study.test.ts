@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { StressOptions } from '../../../web/src/model/stress.ts';
-import type { TextResult } from '../../../web/src/solver/client.ts';
 import type { Question } from '../../../web/src/solver/protocol.ts';
+import type { TextResult } from '../../../web/src/solver/worker-client.ts';
 import { statusOf } from '../../../web/src/ui/checks/stress.tsx';
 import { StressStudy, studyOf } from '../../../web/src/ui/checks/stress-study.ts';
 import { stressResult } from '../helpers/stress-result.ts';

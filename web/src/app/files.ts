@@ -2,7 +2,7 @@ import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { decodeText } from '../share/decode-text.ts';
-import { type SolverClient, SolverError } from '../solver/client.ts';
+import { type SolverClient, SolverError } from '../solver/worker-client.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import { MAX_SKETCH_BYTES } from '../state/read-sketch.ts';
 import { text } from '../ui/text.ts';

@@ -8,7 +8,7 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
-import type { SolverClient } from '../solver/client.ts';
+import type { SolverClient } from '../solver/worker-client.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
 import { pagePreferences } from '../state/page-preferences.ts';
 import type { Preferences } from '../state/preferences.ts';

@@ -3,7 +3,7 @@ import type { SketchDocument } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
 import { decodeText } from '../share/decode-text.ts';
 import { sharedState } from '../share/shared-state.ts';
-import type { SolverClient } from '../solver/client.ts';
+import type { SolverClient } from '../solver/worker-client.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';

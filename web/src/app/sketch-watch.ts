@@ -2,7 +2,7 @@ import { effect } from '@preact/signals';
 import { readFoundSymmetries } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import { readSketchNotes } from '../model/sketch-notes.ts';
-import type { SolverClient } from '../solver/client.ts';
+import type { SolverClient } from '../solver/worker-client.ts';
 import { findTwins } from '../state/sketch-faults.ts';
 import type { PageState } from './page-state.ts';
 

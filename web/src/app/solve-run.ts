@@ -1,9 +1,9 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
 import type { CheckReport, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
-import type { SolveResult, SolverClient } from '../solver/client.ts';
 import type { MadeModel } from '../solver/made-model.ts';
 import type { SolveProgress, SolveSettings } from '../solver/protocol.ts';
+import type { SolveResult, SolverClient } from '../solver/worker-client.ts';
 import { readSketchValue, writeSketch } from '../state/read-sketch.ts';
 import type { ChartPoint, LayoutSnapshot, ShownModel, SolveState } from '../ui/page.ts';
 import { partsText } from '../ui/solve-settings.ts';

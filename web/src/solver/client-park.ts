@@ -1,4 +1,4 @@
-import type { SolverClient } from './client.ts';
+import type { SolverClient } from './worker-client.ts';
 
 interface Place {
   readonly client: SolverClient;

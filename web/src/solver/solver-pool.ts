@@ -1,13 +1,9 @@
 import type { Report } from '../model/report.ts';
 import { isBetter, type Standing, standingOf } from './best-of.ts';
-import {
-  createSolverClient,
-  type SolveResult,
-  type SolverClient,
-  type SolveWatch,
-} from './client.ts';
+import { createSolverClient } from './client.ts';
 import { ClientPark } from './client-park.ts';
 import type { SolveProgress, SolveSettings } from './protocol.ts';
+import type { SolveResult, SolverClient, SolveWatch } from './worker-client.ts';
 
 /**
  * Several seeds at once, in a worker each. A solve tries the seeds s, s + 1, ... and ends with the first of

@@ -1,10 +1,10 @@
 import type { Model } from '../../model/model.ts';
 import type { CheckReport, Report } from '../../model/report.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
-import type { SolverClient } from '../../solver/client.ts';
 import type { MadeModel } from '../../solver/made-model.ts';
 import type { SolveSettings } from '../../solver/protocol.ts';
 import { createSolverPool } from '../../solver/solver-pool.ts';
+import type { SolverClient } from '../../solver/worker-client.ts';
 import { writeSketch } from '../../state/read-sketch.ts';
 import { type Candidate, type Figures, figuresOf, modelText } from './alternatives.ts';
 

@@ -5,7 +5,7 @@ import {
   readMotionAnswer,
   readMotionPath,
 } from '../../model/motion.ts';
-import type { SolverClient } from '../../solver/client.ts';
+import type { SolverClient } from '../../solver/worker-client.ts';
 import { roomSolver } from '../share/room-solver.ts';
 
 /** What is moved: an annotated joint, or one of the free motions. */

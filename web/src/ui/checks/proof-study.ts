@@ -1,8 +1,8 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import type { SolverClient } from '../../solver/client.ts';
 import type { ProofProgress } from '../../solver/proof/prove.ts';
 import { type ProofWatch, proveInWorker } from '../../solver/proof-client.ts';
 import type { SolveSettings } from '../../solver/protocol.ts';
+import type { SolverClient } from '../../solver/worker-client.ts';
 import { roomSolver } from '../share/room-solver.ts';
 
 export type ProofState =

@@ -6,7 +6,7 @@ import {
   type StressAnswer,
   type StressOptions,
 } from '../../model/stress.ts';
-import type { SolverClient } from '../../solver/client.ts';
+import type { SolverClient } from '../../solver/worker-client.ts';
 import { roomSolver } from '../share/room-solver.ts';
 
 /** An analysis that was asked for. */

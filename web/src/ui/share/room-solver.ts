@@ -1,4 +1,5 @@
-import { createSolverClient, type SolverClient } from '../../solver/client.ts';
+import { createSolverClient } from '../../solver/client.ts';
+import type { SolverClient } from '../../solver/worker-client.ts';
 
 let client: SolverClient | null = null;
 
