@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/det_math.h"
+
 namespace liftarm::analysis {
 
 namespace {
@@ -164,10 +166,10 @@ Vec3 roll(const std::vector<SurfacePoint>& surface, Vec3 pivot, Vec3 way, Vec3 u
     const double x = lattice::dot(s.point.at - pivot, way);
     const double z = std::max(0.0, lattice::dot(s.point.at - pivot, up));
     if (x > kGroundTolerance || z > kGroundTolerance) {
-      least = std::min(least, std::atan2(z, x));
+      least = std::min(least, base::detAtan2(z, x));
     }
   }
-  return lattice::normalized(std::cos(least) * up - std::sin(least) * way);
+  return lattice::normalized(base::detCos(least) * up - base::detSin(least) * way);
 }
 
 }  // namespace
@@ -189,7 +191,8 @@ Rest findRest(const Scene& scene, Vec3 centre) {
     rest.up = roll(surface, pivot, lattice::normalized(way), rest.up);
   }
   rest.feet = feetOf(surface, rest.up, false);
-  rest.tilt = kDegrees * std::acos(std::clamp(rest.up.z, -1.0, 1.0));
+  rest.tilt = kDegrees *
+              base::detAtan2(std::sqrt(rest.up.x * rest.up.x + rest.up.y * rest.up.y), rest.up.z);
   return rest;
 }
 

@@ -233,8 +233,8 @@ void addBars(const StressState& state, StressReport& report, std::map<int, PinSt
       part.samples.push_back(sample);
       if (element.head) {
         PinStress& pin = pins[element.part];
-        pin.shear =
-            std::max(pin.shear, std::hypot(forces.shearY, forces.shearZ) / section.netShear);
+        pin.shear = std::max(
+            pin.shear, lattice::length(Vec3{0.0, forces.shearY, forces.shearZ}) / section.netShear);
       }
     }
   }

@@ -1,5 +1,5 @@
 // Checks the layer table (layers.json, the picture in core/README.md) against every include and import,
-// and the size of C++ files. A folder may use itself, what its row names, and what those may use.
+// the size of C++ files, and that no elementary function of the platform is called. A folder may use itself, what its row names, and what those may use.
 // Usage: check-layers.mjs [ROOT]; prints one line per breach and ends with 1 when there is any.
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
@@ -66,6 +66,22 @@ function checkCpp(root, layers) {
   return problems;
 }
 
+// What libm computes differs between platforms; base/det_math and std::sqrt, which rounds exactly, do not.
+const LIBM =
+  /\bstd::(sin|cos|tan|asin|acos|atan2?|exp2?|expm1|log(?:2|10|1p)?|pow|cbrt|hypot|fma|tgamma|erf)\s*\(/;
+
+/** Elementary functions of the platform: the same input must give the same model everywhere (DESIGN 2). */
+function checkLibm(root) {
+  return ['core', 'wasm'].flatMap((folder) =>
+    filesUnder(join(root, folder), ['.h', '.cpp']).flatMap((file) =>
+      matches(file, LIBM, 1).map(
+        ([line, name]) =>
+          `${relative(root, file)}:${line}: std::${name} differs between platforms; see base/det_math.h`,
+      ),
+    ),
+  );
+}
+
 function checkSizes(root, { maxLines }) {
   return ['core', 'wasm', 'tests']
     .flatMap((folder) => filesUnder(join(root, folder), ['.h', '.cpp']))
@@ -115,7 +131,12 @@ function packageBreach(webPackages, target, folder) {
 /** All breaches under a root folder, one line each. */
 export function checkLayers(root) {
   const layers = JSON.parse(readFileSync(join(HERE, 'layers.json'), 'utf8'));
-  return [...checkCpp(root, layers), ...checkSizes(root, layers), ...checkWeb(root, layers)];
+  return [
+    ...checkCpp(root, layers),
+    ...checkLibm(root),
+    ...checkSizes(root, layers),
+    ...checkWeb(root, layers),
+  ];
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

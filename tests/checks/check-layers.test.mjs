@@ -39,6 +39,19 @@ test('a C++ file over the limit is named with its length', () => {
   rmSync(root, { recursive: true });
 });
 
+test('an elementary function of the platform is named with its place', () => {
+  const root = mkdtempSync(join(tmpdir(), 'liftarm-layers-'));
+  mkdirSync(join(root, 'core/base'), { recursive: true });
+  writeFileSync(
+    join(root, 'core/base/turn.cpp'),
+    'double a = std::sqrt(2.0);\ndouble b = std::cos(a);\n',
+  );
+  expect(checkLayers(root)).toEqual([
+    'core/base/turn.cpp:2: std::cos differs between platforms; see base/det_math.h',
+  ]);
+  rmSync(root, { recursive: true });
+});
+
 test('what a folder may use includes what its neighbours may use, and nothing above', () => {
   const reach = closure({ a: [], b: ['a'], c: ['b'] });
   expect([...(reach.get('c') ?? [])].sort()).toEqual(['a', 'b', 'c']);

@@ -1,4 +1,5 @@
 /** Rows of a table as text: cells parted by one sign, quoted where they hold it, with any end of line. */
+import Papa from 'papaparse';
 
 const SEPARATORS = ['\t', ';', ','] as const;
 const SEP_LINE = /^sep=(.)$/i;
@@ -19,27 +20,8 @@ export function separatorOf(lines: readonly string[]): string | null {
   return most === 0 ? null : (SEPARATORS[counts.indexOf(most)] ?? null);
 }
 
-/** The cells of one row, without quotes and the white space round them. */
-export function cellsOf(line: string, separator: string): string[] {
-  const cells: string[] = [];
-  let cell = '';
-  let quoted = false;
-  for (let i = 0; i < line.length; i++) {
-    const sign = line[i];
-    if (sign === '"') {
-      // Two in a quoted cell are one of its own.
-      if (quoted && line[i + 1] === '"') {
-        cell += '"';
-        i += 1;
-      } else {
-        quoted = !quoted;
-      }
-    } else if (sign === separator && !quoted) {
-      cells.push(cell.trim());
-      cell = '';
-    } else {
-      cell += sign;
-    }
-  }
-  return [...cells, cell.trim()];
+/** The cells of every row, without quotes and the white space round them; a quoted cell may go over several lines. */
+export function tableOf(lines: readonly string[], separator: string): string[][] {
+  const { data } = Papa.parse<string[]>(lines.join('\n'), { delimiter: separator, newline: '\n' });
+  return data.map((cells) => cells.map((cell) => cell.trim()));
 }

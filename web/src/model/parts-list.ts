@@ -1,5 +1,5 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
-import { cellsOf, linesOf, separatorOf } from './delimited.ts';
+import { linesOf, separatorOf, tableOf } from './delimited.ts';
 import { knownNumber } from './part-synonyms.ts';
 
 /** More rows than this are no parts list. */
@@ -98,7 +98,7 @@ function xmlEntries(text: string): Entry[] {
 function rowEntries(lines: readonly string[], known: ReadonlySet<string>): Entry[] {
   const separator = separatorOf(lines);
   if (separator !== null) {
-    const table = lines.map((line) => cellsOf(line, separator));
+    const table = tableOf(lines, separator);
     const head = table.slice(0, MAX_TITLES).findIndex((cells) => columnsOf(cells) !== null);
     const columns = columnsOf(table[head] ?? []);
     if (columns) {
@@ -111,7 +111,7 @@ function rowEntries(lines: readonly string[], known: ReadonlySet<string>): Entry
           : [
               {
                 row: row + 1,
-                text: lines[row] ?? '',
+                text: cells.join(separator),
                 part,
                 count: countOf(cells[columns.count] ?? ''),
               },
