@@ -11,6 +11,7 @@
 #include "layout/axle.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
+#include "layout/stack.h"
 #include "parts/catalogue.h"
 
 namespace liftarm::design {

@@ -91,28 +91,10 @@ constexpr std::array<NumberKey, 13> kNumberKeys{{
     {"paper.closeGroups", 0.0, 1.0, true, [](Settings* s, double v) { s->closeGroups = v != 0.0; }},
 }};
 
-//! A part of the search that can be switched off with 0 (docs/ablations.md).
-struct SwitchKey {
-  std::string_view name;
-  bool search::SearchParts::*part;
-};
-
-constexpr std::array<SwitchKey, 14> kSwitchKeys{{
-    {"search.corners", &search::SearchParts::corners},
-    {"search.frames", &search::SearchParts::frames},
-    {"search.axles", &search::SearchParts::axles},
-    {"search.focus", &search::SearchParts::focus},
-    {"search.pairs", &search::SearchParts::pairs},
-    {"search.many", &search::SearchParts::many},
-    {"search.turns", &search::SearchParts::turns},
-    {"search.noise", &search::SearchParts::noise},
-    {"search.growth", &search::SearchParts::growth},
-    {"search.walls", &search::SearchParts::walls},
-    {"search.mirrors", &search::SearchParts::mirrors},
-    {"search.shifts", &search::SearchParts::shifts},
-    {"search.orbits", &search::SearchParts::orbits},
-    {"search.costly", &search::SearchParts::costly},
-}};
+//! The key that switches a part of the search off with 0 (docs/ablations.md).
+std::string keyOf(const search::SearchSwitch& part) {
+  return "search." + std::string(part.name);
+}
 
 Error invalid(const std::string& message) {
   return {Status::kInvalidInput, message};
@@ -145,8 +127,8 @@ std::string knownKeys() {
   for (const NumberKey& key : kNumberKeys) {
     keys += ", " + std::string(key.name);
   }
-  for (const SwitchKey& key : kSwitchKeys) {
-    keys += ", " + std::string(key.name);
+  for (const search::SearchSwitch& part : search::kSearchSwitches) {
+    keys += ", " + keyOf(part);
   }
   for (const objective::Term& term : objective::kTerms) {
     keys += ", weights." + std::string(term.name);
@@ -203,8 +185,8 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
   if (key.rfind(kOwnedPrefix, 0) == 0) {
     return applyOwned(settings, key.substr(kOwnedPrefix.size()), number);
   }
-  for (const SwitchKey& known : kSwitchKeys) {
-    if (known.name != key) {
+  for (const search::SearchSwitch& known : search::kSearchSwitches) {
+    if (keyOf(known) != key) {
       continue;
     }
     if (number != 0.0 && number != 1.0) {
@@ -353,8 +335,8 @@ std::string settingsJson(const Settings& settings) {
     axles.push_back(layout::axleParts()[static_cast<std::size_t>(axle)].part);
   }
   json parts = json::object();
-  for (const SwitchKey& key : kSwitchKeys) {
-    parts[std::string(key.name)] = a.parts.*key.part ? 1 : 0;
+  for (const search::SearchSwitch& part : search::kSearchSwitches) {
+    parts[keyOf(part)] = a.parts.*part.part ? 1 : 0;
   }
   return json{{"seed", a.seed},
               {"preset", std::string(objective::nameOf(settings.preset))},

@@ -9,7 +9,7 @@
 #include "base/status.h"
 #include "layout/connection_solver.h"
 #include "objective/objective.h"
-#include "search/annealer.h"
+#include "search/annealing_options.h"
 #include "search/paper_search.h"
 
 namespace liftarm::design {
@@ -59,7 +59,7 @@ inline guide::Bridging bridgingOf(const Settings& settings) {
 //! `frames` ("64179", the same of frames),
 //! `axles` ("4519,32073", the axles that may cover lines, for which bushes are needed),
 //! `connectors` ("2780,6558,87082"), `paper.coolingRate` and `paper.schedule` ("linear";
-//! rivals/rivals.h) of method paper, `search.PART`, 1 or 0 (search/annealer.h, SearchParts), and
+//! rivals/rivals.h) of method paper, `search.PART`, 1 or 0 (search/annealing_options.h, SearchParts), and
 //! `owned.PARTID`, how many of a part there are at most (DESIGN 6): 0 switches it off. \return The
 //! settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);

@@ -4,24 +4,17 @@
 #include <numeric>
 #include <set>
 
+#include "base/index.h"
 #include "layout/axle_collisions.h"
 #include "layout/bent_beam.h"
+#include "search/tuning.h"
 
 namespace liftarm::search {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
-
-constexpr int kFewestEdges = 2;
-// What a run costs more whose neighbour at a junction it no longer shares a hole axis with.
-constexpr double kMixedCost = 1.0;
-constexpr double kHingesEach = 2.0;  // as in Tallies::hinges
-constexpr double kLeastGain = 1.0;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool mayTurnTo(const guide::GuideRun& run, Axis axis) {
   return std::find(run.axes.begin(), run.axes.end(), axis) != run.axes.end();
@@ -153,7 +146,7 @@ class FamilyFinder {
       }
       parts += static_cast<int>(state.spacers.size());
       gain += static_cast<double>(state.spacers.size()) + state.connection.cost -
-              costs_.hinge * kHingesEach * looseAt(guideRun.junctions[j], run);
+              costs_.hinge * kTuning.axles.hingesEach * looseAt(guideRun.junctions[j], run);
       // Stacks may lie towards each other by the layers that they have.
       const int apart = j == 0 ? 1 : guideRun.junctionIndices[j] - guideRun.junctionIndices[j - 1];
       least += apart > 3 ? 2 : (apart > 1 ? 1 : 0);
@@ -182,8 +175,8 @@ class FamilyFinder {
             continue;
           }
           const Axis theirs = layout_.run(incidence.run).cover.axis;
-          cost += theirs == layout_.run(run).cover.axis ? kMixedCost : 0.0;
-          cost -= theirs == axis ? kMixedCost : 0.0;
+          cost += theirs == layout_.run(run).cover.axis ? kTuning.axles.mixedCost : 0.0;
+          cost -= theirs == axis ? kTuning.axles.mixedCost : 0.0;
         }
       }
     }
@@ -195,7 +188,7 @@ class FamilyFinder {
     for (const int run : members) {
       family.gain += ownGain(run);
     }
-    if (family.gain >= kLeastGain) {
+    if (family.gain >= kTuning.axles.leastGain) {
       families->push_back(std::move(family));
     }
   }
@@ -211,7 +204,7 @@ class FamilyFinder {
 bool mayHaveAxle(const guide::GuidingGraph& graph, int run, int longest) {
   const guide::GuideRun& guideRun = graph.runs[at(run)];
   if (!guideRun.principal || guideRun.axes.size() < 2 || guideRun.junctions.empty() ||
-      guideRun.edgeCount() < kFewestEdges || guideRun.edgeCount() + 1 > longest) {
+      guideRun.edgeCount() < kTuning.axles.fewestEdges || guideRun.edgeCount() + 1 > longest) {
     return false;
   }
   const Axis axis = layout::alongAxisOf(guideRun).axis;

@@ -6,20 +6,16 @@
 #include <map>
 #include <numeric>
 
+#include "base/index.h"
+#include "search/tuning.h"
+
 namespace liftarm::search {
 
 namespace {
 
-constexpr std::int64_t kUnit = 1 << 16;  // of the rounded prices
-constexpr int kSteps = 400;
-constexpr int kPatience = 15;  // steps without a better bound before the stride halves
-constexpr double kFirstStride = 1.0;
-constexpr double kTargetShare = 1.02;  // the bound that steps aim at, times the best so far ...
-constexpr double kTargetMore = 0.5;    // ... and this
+using base::at;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr std::int64_t kUnit = 1 << 16;  // of the rounded prices
 
 //! What must be covered and what covers it: indices only.
 struct Programme {
@@ -213,9 +209,9 @@ std::int64_t boundFrom(const Programme& programme, std::vector<double> prices) {
   std::vector<double> best = prices;
   std::vector<double> slope(prices.size());
   double bestBound = 0.0;
-  double stride = kFirstStride;
+  double stride = kTuning.bound.firstStride;
   int since = 0;
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < kTuning.bound.steps; ++step) {
     double bound = 0.0;
     for (const double price : prices) {
       bound += price;
@@ -238,7 +234,7 @@ std::int64_t boundFrom(const Programme& programme, std::vector<double> prices) {
       bestBound = bound;
       best = prices;
       since = 0;
-    } else if (since > kPatience) {
+    } else if (since > kTuning.bound.patience) {
       stride *= 0.5;
       since = 0;
       prices = best;
@@ -252,7 +248,9 @@ std::int64_t boundFrom(const Programme& programme, std::vector<double> prices) {
     if (square == 0.0) {
       break;
     }
-    const double length = stride * (kTargetShare * bestBound + kTargetMore - bound) / square;
+    const double length =
+        stride * (kTuning.bound.targetShare * bestBound + kTuning.bound.targetMore - bound) /
+        square;
     for (std::size_t r = 0; r < prices.size(); ++r) {
       prices[r] = std::max(0.0, prices[r] + length * slope[r]);
     }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "layout/layout.h"
-#include "search/annealer.h"
+#include "search/annealing_options.h"
 
 namespace liftarm::search {
 

@@ -191,6 +191,92 @@ bool hasItsFrames(int runs,
   });
 }
 
+//! Where earlier runs are now.
+struct Places {
+  std::vector<int> runs;      //!< by earlier run: the run that it is now, or -1
+  std::vector<bool> changed;  //!< by run: new, or not met as it was
+};
+
+//! Runs with the same ends, whose covers are still allowed.
+Places placesOf(const guide::GuidingGraph& graph,
+                const EarlierLayout& earlier,
+                const Allowed& allowed) {
+  std::map<Ends, int> known;
+  for (std::size_t r = 0; r < graph.runs.size(); ++r) {
+    const guide::GuideRun& run = graph.runs[r];
+    known[endsOf(graph.nodes[at(run.nodes.front())], graph.nodes[at(run.nodes.back())])] =
+        static_cast<int>(r);
+  }
+  Places places{std::vector<int>(earlier.size(), -1), std::vector<bool>(graph.runs.size(), true)};
+  std::vector<bool> taken(graph.runs.size(), false);
+  for (std::size_t e = 0; e < earlier.size(); ++e) {
+    const auto found = known.find(endsOf(earlier[e].from, earlier[e].to));
+    if (found == known.end() || taken[at(found->second)]) {
+      continue;
+    }
+    const guide::GuideRun& run = graph.runs[at(found->second)];
+    const bool same = meetsOf(graph, run) == earlier[e].meets;
+    if (suits(run, earlier[e].cover, allowed, same)) {
+      places.runs[e] = found->second;
+      taken[at(found->second)] = true;
+      places.changed[at(found->second)] = !same;
+    }
+  }
+  return places;
+}
+
+//! Drops runs whose bent beams or frames have lost another run, until none has.
+void dropTorn(const guide::GuidingGraph& graph,
+              const EarlierLayout& earlier,
+              const Allowed& allowed,
+              Places* places) {
+  const auto runs = static_cast<int>(graph.runs.size());
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t e = 0; e < earlier.size(); ++e) {
+      const auto self = static_cast<int>(e);
+      if (places->runs[e] >= 0 && (!hasItsMates(graph, self, places->runs, earlier) ||
+                                   !hasItsFrames(runs, self, places->runs, earlier, allowed))) {
+        places->changed[at(places->runs[e])] = true;
+        places->runs[e] = -1;
+        again = true;
+      }
+    }
+  }
+}
+
+//! The cover of an earlier run as it is to lie on a run now. \param covers See coversAt.
+layout::Cover coverNow(const EarlierRun& earlier,
+                       int run,
+                       const std::vector<int>& places,
+                       const Allowed& allowed,
+                       const std::vector<const layout::Cover*>& covers) {
+  layout::Cover cover = earlier.cover;
+  for (layout::Beam& beam : cover.beams) {
+    if (isFrameBar(beam)) {
+      const int site = siteOf(run, beam, allowed, covers);
+      const int layer = beam.layer;
+      beam = layout::armOn(allowed.sites[at(site)], run).beam;
+      beam.layer = layer;
+      continue;
+    }
+    beam.mate = beam.mate < 0 ? -1 : places[at(beam.mate)];
+  }
+  return cover;
+}
+
+//! Whether a run meets one that has no cover.
+bool meetsBare(const guide::GuidingGraph& graph,
+               const guide::GuideRun& run,
+               const std::vector<std::optional<layout::Cover>>& covers) {
+  return std::any_of(run.junctions.begin(), run.junctions.end(), [&](int j) {
+    const std::vector<guide::Incidence>& incident = graph.junctions[at(j)].incident;
+    return std::any_of(incident.begin(), incident.end(), [&](const guide::Incidence& incidence) {
+      return !covers[at(incidence.run)].has_value();
+    });
+  });
+}
+
 }  // namespace
 
 EarlierLayout earlierLayout(const guide::GuidingGraph& graph,
@@ -215,72 +301,21 @@ EarlierLayout earlierLayout(const guide::GuidingGraph& graph,
 KeptRuns keepRuns(const guide::GuidingGraph& graph,
                   const EarlierLayout& earlier,
                   const Allowed& allowed) {
-  std::map<Ends, int> known;
-  for (std::size_t r = 0; r < graph.runs.size(); ++r) {
-    const guide::GuideRun& run = graph.runs[r];
-    known[endsOf(graph.nodes[at(run.nodes.front())], graph.nodes[at(run.nodes.back())])] =
-        static_cast<int>(r);
-  }
-  std::vector<int> places(earlier.size(), -1);  // run of each earlier one
-  std::vector<bool> taken(graph.runs.size(), false);
-  std::vector<bool> changed(graph.runs.size(), true);
-  for (std::size_t e = 0; e < earlier.size(); ++e) {
-    const auto found = known.find(endsOf(earlier[e].from, earlier[e].to));
-    if (found == known.end() || taken[at(found->second)]) {
-      continue;
-    }
-    const guide::GuideRun& run = graph.runs[at(found->second)];
-    const bool same = meetsOf(graph, run) == earlier[e].meets;
-    if (suits(run, earlier[e].cover, allowed, same)) {
-      places[e] = found->second;
-      taken[at(found->second)] = true;
-      changed[at(found->second)] = !same;
-    }
-  }
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t e = 0; e < earlier.size(); ++e) {
-      if (places[e] >= 0 && (!hasItsMates(graph, static_cast<int>(e), places, earlier) ||
-                             !hasItsFrames(static_cast<int>(graph.runs.size()),
-                                           static_cast<int>(e),
-                                           places,
-                                           earlier,
-                                           allowed))) {
-        changed[at(places[e])] = true;
-        places[e] = -1;
-        again = true;
-      }
-    }
-  }
+  Places places = placesOf(graph, earlier, allowed);
+  dropTorn(graph, earlier, allowed, &places);
   KeptRuns result;
   result.covers.resize(graph.runs.size());
-  const std::vector<const layout::Cover*> covers = coversAt(places, earlier, graph.runs.size());
+  const std::vector<const layout::Cover*> covers =
+      coversAt(places.runs, earlier, graph.runs.size());
   for (std::size_t e = 0; e < earlier.size(); ++e) {
-    if (places[e] < 0) {
-      continue;
+    const int run = places.runs[e];
+    if (run >= 0) {
+      ++result.kept;
+      result.covers[at(run)] = coverNow(earlier[e], run, places.runs, allowed, covers);
     }
-    ++result.kept;
-    layout::Cover cover = earlier[e].cover;
-    for (layout::Beam& beam : cover.beams) {
-      if (isFrameBar(beam)) {
-        const int site = siteOf(places[e], beam, allowed, covers);
-        const int layer = beam.layer;
-        beam = layout::armOn(allowed.sites[at(site)], places[e]).beam;
-        beam.layer = layer;
-        continue;
-      }
-      beam.mate = beam.mate < 0 ? -1 : places[at(beam.mate)];
-    }
-    result.covers[at(places[e])] = std::move(cover);
   }
   for (std::size_t r = 0; r < graph.runs.size(); ++r) {
-    bool touched = changed[r];
-    for (const int j : graph.runs[r].junctions) {
-      for (const guide::Incidence& incidence : graph.junctions[at(j)].incident) {
-        touched = touched || !result.covers[at(incidence.run)].has_value();
-      }
-    }
-    if (touched) {
+    if (places.changed[r] || meetsBare(graph, graph.runs[r], result.covers)) {
       result.touched.push_back(static_cast<int>(r));
     }
   }

@@ -15,6 +15,9 @@ struct LayoutSnapshot {
   double energy = 0.0;
   int freedoms = 0;  //!< where the search asked for them: see AnnealingOptions::freedoms
   int missing = 0;   //!< parts that it needs beyond those owned (search/supply.h)
+
+  //! \brief Whether it has no violations and lacks no parts; true of an empty one.
+  [[nodiscard]] bool faultless() const { return tallies.violations() + missing == 0; }
 };
 
 //! \brief A stepped, deterministic search for a layout: what every method offers (DESIGN 4,

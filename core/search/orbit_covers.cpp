@@ -4,21 +4,18 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/index.h"
+#include "search/tuning.h"
 
 namespace liftarm::search {
 
 namespace {
 
+using base::at;
 using layout::Beam;
 using layout::Cover;
 
-constexpr double kPickCheapest = 0.75;  // share of middle beams that leave the fewest others
 constexpr std::array<int, 3> kNoLifts{};
-constexpr double kPickLine = 0.5;  // share of middle beams on the line itself
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! What a symmetry makes of a cover; arms of bent beams still name the mate that they had.
 Cover imageOf(const Cover& cover, const guide::RunImage& image, int edges) {
@@ -161,7 +158,7 @@ Beam OrbitCovers::middleBeam(int run,
   if (middles.empty()) {
     return {0, 0, 0, -1};
   }
-  if (rng->unit() < kPickCheapest) {
+  if (rng->unit() < kTuning.moves.cheapMiddle) {
     int fewest = beamsAround(middles[0]);
     for (const Beam& middle : middles) {
       fewest = std::min(fewest, beamsAround(middle));
@@ -173,7 +170,7 @@ Beam OrbitCovers::middleBeam(int run,
   }
   Beam middle = middles[rng->below(static_cast<std::uint32_t>(middles.size()))];
   const bool line = binding.pinned || binding.sign < 0 || guideRun.exact || reach == 0;
-  if (!line && rng->unit() >= kPickLine) {
+  if (!line && rng->unit() >= kTuning.moves.middleOnLine) {
     middle.layer = static_cast<int>(rng->below(static_cast<std::uint32_t>(2 * reach + 1))) - reach;
   }
   return middle;
@@ -181,32 +178,29 @@ Beam OrbitCovers::middleBeam(int run,
 
 std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
                                           layout::Layout* layout,
-                                          int run,
-                                          lattice::Axis axis,
-                                          double noise,
+                                          CoverRequest request,
                                           base::Rng* rng) const {
-  if (!orbits_.allows(run, axis)) {
+  const int run = request.run;
+  if (!orbits_.allows(run, request.axis)) {
     return std::nullopt;
   }
-  place(layout, run, {axis, {}});
-  const guide::SelfBinding binding = orbits_.binding(run, axis);
-  const int reach = coverer->reach();
-  const int near = binding.pinned ? 0 : std::min(reach, guide::kMaxLayer - farthestLift(run, axis));
-  coverer->setReach(near);
-  std::optional<Cover> cover;
+  place(layout, run, {request.axis, {}});
+  const guide::SelfBinding binding = orbits_.binding(run, request.axis);
+  int& reach = request.manner.reach;
+  reach = binding.pinned ? 0 : std::min(reach, guide::kMaxLayer - farthestLift(run, request.axis));
   if (!binding.centred) {
-    cover = coverer->propose(*layout, run, axis, noise, rng);
-  } else if (const Beam middle = middleBeam(run, binding, near, rng); middle.holes > 0) {
-    coverer->setFixed({middle});
-    cover = coverer->propose(*layout, run, axis, noise, rng);
-    coverer->setFixed({});
-    if (cover) {
-      cover =
-          mirroredAbout(middle, *cover, problem_->graph.runs[at(run)].edgeCount(), binding.sign);
-    }
+    return coverer->propose(*layout, request, rng);
   }
-  coverer->setReach(reach);
-  return cover;
+  const Beam middle = middleBeam(run, binding, reach, rng);
+  if (middle.holes == 0) {
+    return std::nullopt;
+  }
+  request.fixed = {&middle, 1};
+  const std::optional<Cover> cover = coverer->propose(*layout, request, rng);
+  if (!cover) {
+    return std::nullopt;
+  }
+  return mirroredAbout(middle, *cover, problem_->graph.runs[at(run)].edgeCount(), binding.sign);
 }
 
 void OrbitCovers::releaseAt(int junction) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/rng.h"
 #include "guide/beam_bound.h"
@@ -25,12 +26,11 @@ class OrbitCovers {
   void place(layout::Layout* layout, int run, const layout::Cover& cover) const;
 
   //! \brief Clears a run and its images, and covers the run with what may be carried to them.
-  //! \return Nothing when there is no such cover; the layout is then cleared there.
+  //! Beams that the request fixes give way to the one across the middle of a run that a mirror
+  //! cuts in half. \return Nothing when there is no such cover; the layout is then cleared there.
   std::optional<layout::Cover> propose(RunCoverer* coverer,
                                        layout::Layout* layout,
-                                       int run,
-                                       lattice::Axis axis,
-                                       double noise,
+                                       CoverRequest request,
                                        base::Rng* rng) const;
 
   //! \brief Whether a bent beam on two runs can be carried to all their images.

@@ -70,8 +70,8 @@ void coverOfOneRun(benchmark::State& state) {
   const auto runs = static_cast<std::uint32_t>(bench.problem.graph.runs.size());
   for (auto _ : state) {
     const auto run = static_cast<int>(rng.below(runs));
-    benchmark::DoNotOptimize(coverer.propose(
-        annealer.current(), run, annealer.current().run(run).cover.axis, 5.0, &rng));
+    const lattice::Axis axis = annealer.current().run(run).cover.axis;
+    benchmark::DoNotOptimize(coverer.propose(annealer.current(), {run, axis, {5.0}}, &rng));
   }
 }
 

@@ -98,7 +98,7 @@ void expectTrueMinimum(const CoverCosts& costs) {
     const Layout layout(bench.problem, bench.solver);
     RunCoverer coverer(bench.problem, kLengths, costs);
     base::Rng rng(1);
-    const auto cover = coverer.propose(layout, 0, Axis::kZ, 0.0, &rng);
+    const auto cover = coverer.propose(layout, {0, Axis::kZ}, &rng);
     ASSERT_TRUE(cover.has_value());
     EXPECT_NEAR(costOf(*cover, edges, costs), bestByBruteForce(edges, costs), 1e-9) << edges;
   }

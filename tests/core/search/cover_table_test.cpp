@@ -9,6 +9,7 @@
 
 #include "core/helpers/frame_sketches.h"
 #include "core/helpers/layouts.h"
+#include "search/annealer.h"
 #include "search/cover_bound.h"
 
 // The bounds on beams hold for what the table lists: so whatever a search lays must be in it.

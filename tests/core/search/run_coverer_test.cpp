@@ -83,7 +83,7 @@ void expectLegalProposals(const sketch::Sketch& sketch, std::uint64_t seed) {
     const auto run = static_cast<int>(rng.below(static_cast<std::uint32_t>(runs.size())));
     const guide::GuideRun& guideRun = runs[static_cast<std::size_t>(run)];
     const Axis axis = guideRun.axes[rng.below(static_cast<std::uint32_t>(guideRun.axes.size()))];
-    const auto cover = coverer.propose(layout, run, axis, 12.0 * rng.unit(), &rng);
+    const auto cover = coverer.propose(layout, {run, axis, {12.0 * rng.unit()}}, &rng);
     ASSERT_TRUE(cover.has_value());
     expectLegal(layout, run, *cover);
     layout.setCover(run, rng.below(3) == 0 ? testing::randomCover(guideRun, &rng) : *cover);
@@ -118,7 +118,7 @@ TEST(RunCoverer, KeepsBeamsInOrderOfTheirStart) {
     const auto run = static_cast<std::size_t>(rng.below(static_cast<std::uint32_t>(runs.size())));
     layout.setCover(static_cast<int>(run), testing::randomCover(runs[run], &rng));
     const auto cover =
-        coverer.propose(layout, static_cast<int>(run), runs[run].axes.front(), 12.0, &rng);
+        coverer.propose(layout, {static_cast<int>(run), runs[run].axes.front(), {12.0}}, &rng);
     ASSERT_TRUE(cover.has_value());
     for (std::size_t b = 1; b < cover->beams.size(); ++b) {
       EXPECT_LT(cover->beams[b - 1].start, cover->beams[b].start);
@@ -138,7 +138,7 @@ TEST(RunCoverer, ProposesLegalCoversForExactLines) {
   const std::vector<guide::GuideRun>& runs = bench.problem.graph.runs;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto cover =
-        coverer.propose(layout, static_cast<int>(r), runs[r].axes.front(), 5.0, &rng);
+        coverer.propose(layout, {static_cast<int>(r), runs[r].axes.front(), {5.0}}, &rng);
     if (cover) {
       expectLegal(layout, static_cast<int>(r), *cover);
       for (const Beam& beam : cover->beams) {
@@ -154,7 +154,7 @@ TEST(RunCoverer, KeepsClearOfABeamInItsWay) {
   layout.setCover(0, {Axis::kZ, {{0, 9, 0}}});
   RunCoverer coverer(bench.problem, kLengths, CoverCosts{});
   base::Rng rng(1);
-  const auto cover = coverer.propose(layout, 1, Axis::kZ, 0.0, &rng);
+  const auto cover = coverer.propose(layout, {1, Axis::kZ}, &rng);
   ASSERT_TRUE(cover.has_value());
   layout.setCover(1, *cover);
   layout.settle();
@@ -169,7 +169,7 @@ TEST(RunCoverer, StaysAboveTheGround) {
   RunCoverer coverer(bench.problem, kLengths, CoverCosts{});
   base::Rng rng(2);
   for (int i = 0; i < 30; ++i) {
-    const auto cover = coverer.propose(layout, i % 4, Axis::kZ, 12.0, &rng);
+    const auto cover = coverer.propose(layout, {i % 4, Axis::kZ, {12.0}}, &rng);
     ASSERT_TRUE(cover.has_value());
     for (const Beam& beam : cover->beams) {
       EXPECT_GE(beam.layer, 0);
@@ -185,7 +185,7 @@ TEST(RunCoverer, LeavesNoLayerOfAnExactLineThatNoBeamFits) {
   const Layout layout(bench.problem, bench.solver);
   RunCoverer coverer(bench.problem, kLengths, CoverCosts{});
   base::Rng rng(1);
-  if (const auto cover = coverer.propose(layout, 0, Axis::kZ, 0.0, &rng)) {
+  if (const auto cover = coverer.propose(layout, {0, Axis::kZ}, &rng)) {
     for (const Beam& beam : cover->beams) {
       EXPECT_EQ(beam.layer, 0);
     }
@@ -198,8 +198,8 @@ TEST(RunCoverer, GivesFixedBeamsAloneALengthThatIsNotAllowed) {
   RunCoverer coverer(bench.problem, {3, 5}, CoverCosts{});
   base::Rng rng(1);
   for (int start = 0; start <= 14; ++start) {
-    coverer.setFixed({{start, 7, 1}});
-    const auto cover = coverer.propose(layout, 0, Axis::kZ, 9.0, &rng);
+    const Beam wanted{start, 7, 1};
+    const auto cover = coverer.propose(layout, {0, Axis::kZ, {9.0}, {&wanted, 1}}, &rng);
     ASSERT_TRUE(cover.has_value());
     int fixed = 0;
     for (const Beam& beam : cover->beams) {
@@ -209,8 +209,7 @@ TEST(RunCoverer, GivesFixedBeamsAloneALengthThatIsNotAllowed) {
     }
     EXPECT_EQ(fixed, 1);
   }
-  coverer.setFixed({});
-  const auto free = coverer.propose(layout, 0, Axis::kZ, 9.0, &rng);
+  const auto free = coverer.propose(layout, {0, Axis::kZ, {9.0}}, &rng);
   ASSERT_TRUE(free.has_value());
   for (const Beam& beam : free->beams) {
     EXPECT_LE(beam.holes, 5);
@@ -222,7 +221,7 @@ TEST(RunCoverer, SaysSoWhenNoAllowedLengthFits) {
   const Layout layout(bench.problem, bench.solver);
   RunCoverer coverer(bench.problem, {15}, CoverCosts{});
   base::Rng rng(1);
-  EXPECT_FALSE(coverer.propose(layout, 0, Axis::kZ, 0.0, &rng).has_value());
+  EXPECT_FALSE(coverer.propose(layout, {0, Axis::kZ}, &rng).has_value());
 }
 
 }  // namespace
