@@ -81,6 +81,7 @@ function checkFormat() {
 
 const LINTS = {
   'lint: layers and sizes': () => run(process.execPath, ['tests/checks/check-layers.mjs']),
+  'lint: classes and functions': () => run(process.execPath, ['tests/checks/check-classes.mjs']),
   'lint: clang-format': checkFormat,
   'lint: Biome': () => run(localBin('biome'), ['check', '--error-on-warnings', '.']),
   'lint: TypeScript': async () => {
