@@ -59,9 +59,9 @@ inline guide::Bridging bridgingOf(const Settings& settings) {
 //! `frames` ("64179", the same of frames),
 //! `axles` ("4519,32073", the axles that may cover lines, for which bushes are needed),
 //! `connectors` ("2780,6558,87082"), `paper.coolingRate` and `paper.schedule` ("linear";
-//! rivals/rivals.h) of method paper, `search.PART`, 1 or 0 (search/annealing_options.h, SearchParts), and
-//! `owned.PARTID`, how many of a part there are at most (DESIGN 6): 0 switches it off. \return The
-//! settings, or one message that names the key and what would be right.
+//! rivals/rivals.h) of method paper, `search.PART`, 1 or 0 (search/annealing_options.h,
+//! SearchParts), and `owned.PARTID`, how many of a part there are at most (DESIGN 6): 0 switches it
+//! off. \return The settings, or one message that names the key and what would be right.
 base::Result<Settings> readSettings(std::string_view json);
 
 //! \brief The settings as JSON with every key, for the contract with the page.
