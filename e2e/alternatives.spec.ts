@@ -16,9 +16,12 @@ test('other models of a drawing are compared, and a click puts one on the page',
   const sheet = page.getByRole('dialog', { name: 'Other models of this drawing' });
   await expect(sheet.getByText(/^Searched: \d other models\.$/)).toBeVisible({ timeout: 90_000 });
   const cards = sheet.locator('.alternative');
-  const count = await cards.count();
+  // Said once all of them are there: as many as are said, and the one on the page.
+  const said = await sheet.getByText(/^Searched: \d other models\.$/).textContent();
+  const count = 1 + Number.parseInt(said?.replace(/\D/g, '') ?? '0', 10);
   expect(count).toBeGreaterThanOrEqual(3);
   expect(count).toBeLessThanOrEqual(7);
+  await expect(cards).toHaveCount(count);
   // The one on the page is there to compare with, not to take.
   await expect(cards.first()).toBeDisabled();
   const rows = sheet.locator('.compare tbody tr');

@@ -1,4 +1,4 @@
-import { expect, generate, goTo, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+import { expect, expectLines, generate, goTo, openEmpty, openText, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -26,7 +26,7 @@ test('the line that is offered for a loose frame is added by a click and makes i
   await expect(freedoms).toContainText('1 without friction');
   await freedoms.locator('summary').click();
   await freedoms.getByRole('button', { name: /^Add a line of \d+ modules$/ }).click();
-  expect((await savedSketch(page)).lines).toHaveLength(5);
+  await expectLines(page, 5);
   await generate(page);
   await expect(freedoms).toContainText('rigid');
 });

@@ -1,14 +1,16 @@
 import { nativeCheck } from './helpers/native.ts';
 import { scaffold } from './helpers/sketches.ts';
 import {
+  begun,
   clickPlaces,
   downloaded,
   expect,
+  expectLines,
+  expectSketch,
   generate,
   openEmpty,
   openText,
   savedSketch,
-  settled,
   test,
 } from './helpers/test.ts';
 
@@ -28,7 +30,7 @@ test('a frame drawn by hand becomes a model that the command finds buildable', a
   await openEmpty(page);
   await page.keyboard.press('l');
   await clickPlaces(page, FRAME);
-  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expectLines(page, 4);
 
   await generate(page);
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
@@ -61,14 +63,14 @@ test('undo and redo take every step back and forth, also after a reload', async 
   await clickPlaces(page, FRAME);
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
-  expect((await savedSketch(page)).lines).toHaveLength(2);
+  await expectLines(page, 2);
 
   await page.reload();
-  await settled(page);
-  expect((await savedSketch(page)).lines).toHaveLength(2);
+  await begun(page);
+  await expectLines(page, 2);
   await page.keyboard.press('Control+Shift+z');
   await page.keyboard.press('Control+y');
-  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expectLines(page, 4);
   await expect(page.getByRole('button', { name: 'Redo' })).toBeDisabled();
 });
 
@@ -78,9 +80,11 @@ test('a typed length and a locked axis decide where a line ends', async ({ page 
   await clickPlaces(page, [[0, 0]]);
   await page.keyboard.type('x12');
   await page.keyboard.press('Enter');
-  const { lines } = await savedSketch(page);
-  const [line] = lines as { from: number[]; to: number[] }[];
-  expect((line?.to[0] ?? 0) - (line?.from[0] ?? 0)).toBe(12);
+  await expectSketch(
+    page,
+    ({ lines }) => lines.map(({ from, to }) => (to[0] ?? 0) - (from[0] ?? 0)),
+    [12],
+  );
 });
 
 test('a selection is moved, copied and deleted', async ({ page }) => {
@@ -93,9 +97,9 @@ test('a selection is moved, copied and deleted', async ({ page }) => {
   await page.keyboard.press('Control+a');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Control+d');
-  expect((await savedSketch(page)).lines).toHaveLength(8);
+  await expectLines(page, 8);
   await page.keyboard.press('Delete');
-  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expectLines(page, 4);
 });
 
 test('a search is cancelled at once and the sketch stays', async ({ page }) => {
@@ -106,5 +110,5 @@ test('a search is cancelled at once and the sketch stays', async ({ page }) => {
   await page.getByRole('button', { name: /^Generate/ }).click();
   await page.getByRole('button', { name: 'Cancel' }).click();
   await expect(page.getByText(/^Cancelled/)).toBeVisible();
-  expect((await savedSketch(page)).lines).toHaveLength(lines.length);
+  await expectLines(page, lines.length);
 });

@@ -1,10 +1,10 @@
 import { nameIn } from './helpers/links.ts';
 import {
   expect,
+  expectLines,
   openEmpty,
   openPage,
   openText,
-  savedSketch,
   test,
   withoutDrawing,
 } from './helpers/test.ts';
@@ -46,7 +46,7 @@ test('a sketch file is opened, and undo brings back what was there', async ({ pa
   await openEmpty(page);
   await openText(page, GOOD, 'good.sketch.json');
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
-  expect((await savedSketch(page)).lines).toHaveLength(3);
+  await expectLines(page, 3);
   await page.keyboard.press('Control+z');
   await expect(page.getByText('Draw some lines first.')).toBeVisible();
 });
@@ -73,7 +73,7 @@ test('one clear message for each bad file, and the sketch stays', async ({ page 
     await expect(alert).toContainText(message);
     await expect(alert).toHaveCount(1);
   }
-  expect((await savedSketch(page)).lines).toHaveLength(3);
+  await expectLines(page, 3);
 });
 
 test('the link holds the sketch', async ({ page, context }) => {

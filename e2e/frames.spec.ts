@@ -89,8 +89,8 @@ test('with 300 lines and a running search a picture follows each move of the poi
     await page.mouse.move(at.x + 200 * Math.cos(i / 9), at.y + 150 * Math.sin(i / 7));
   }
   await expect(page.getByRole('progressbar')).toBeVisible();
+  await expect.poll(() => page.evaluate(() => window.costs.lags.length)).toBeGreaterThan(10);
   const { lags } = await page.evaluate(() => window.costs);
-  expect(lags.length).toBeGreaterThan(10);
   expect(Math.max(...lags)).toBeLessThanOrEqual(2);
 });
 
@@ -116,8 +116,8 @@ test('a model of 1,000 parts stays within its draw calls and triangles', async (
   await expect(page.getByText('1,000 bricks')).toBeVisible({ timeout: 60_000 });
   await page.keyboard.press('i');
   await settled(page);
+  await expect.poll(() => page.evaluate(() => Math.max(...window.costs.calls))).toBeGreaterThan(10);
   const { calls, triangles } = await page.evaluate(() => window.costs);
-  expect(Math.max(...calls)).toBeGreaterThan(10);
   expect(Math.max(...calls)).toBeLessThan(150);
   expect(Math.max(...triangles)).toBeLessThan(4_000_000);
 });

@@ -46,8 +46,11 @@ test('a link’s settings are those of its sketch, and what is not known of them
   await page.evaluate((hash) => {
     location.hash = hash;
   }, link);
-  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Linked');
-  await expect(page.getByText('left out: preset, foo')).toBeVisible();
+  // The message goes away after a while.
+  await Promise.all([
+    expect(page.getByLabel('Name of the sketch')).toHaveValue('Linked'),
+    expect(page.getByText('left out: preset, foo')).toBeVisible(),
+  ]);
   await expect(page.getByLabel('Seed', { exact: true })).toHaveValue('3');
   await page.getByRole('button', { name: /^Generate/ }).click();
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
@@ -60,8 +63,11 @@ test('a link’s settings are those of its sketch, and what is not known of them
   });
   await page.getByRole('button', { name: 'Use my settings' }).click();
   await expect(page.getByLabel('Seed', { exact: true })).toHaveValue('7');
-  const text = await page.evaluate(() => localStorage.getItem('liftarm/preferences'));
-  expect(JSON.parse(text ?? '')).toMatchObject(OWN);
+  await expect
+    .poll(async () =>
+      JSON.parse((await page.evaluate(() => localStorage.getItem('liftarm/preferences'))) ?? ''),
+    )
+    .toMatchObject(OWN);
 });
 
 test('in a frame of another origin nothing is kept, and nothing that is kept is changed', async ({

@@ -1,4 +1,4 @@
-import { expect, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+import { expect, expectLines, expectSketch, openEmpty, openText, test } from './helpers/test.ts';
 
 test.use({ draws: false });
 
@@ -25,14 +25,17 @@ test('line segments of an .obj file become a sketch', async ({ page }) => {
   await openEmpty(page);
   await openText(page, OBJ, 'frame.obj');
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('frame');
-  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expectLines(page, 4);
 });
 
 test('an .mpd file is shown and checked', async ({ page }) => {
   await openEmpty(page);
   await openText(page, MPD, 'pair.mpd');
-  await expect(page.getByTestId('verdict')).toBeVisible();
-  await expect(page.getByText('Opened the model pair.mpd')).toBeVisible();
+  // The message goes away after a while, whenever the verdict comes.
+  await Promise.all([
+    expect(page.getByText('Opened the model pair.mpd')).toBeVisible(),
+    expect(page.getByTestId('verdict')).toBeVisible(),
+  ]);
 });
 
 test('a drawing whose lengths are not whole is offered as the nearest that can be built', async ({
@@ -48,8 +51,7 @@ test('a drawing whose lengths are not whole is offered as the nearest that can b
   await sheet.getByRole('button', { name: 'Take this one' }).click();
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('rounded');
   await expect(page.getByRole('alert')).toHaveCount(0);
-  const { lines } = (await savedSketch(page)) as { lines: { to: number[] }[] };
-  expect(lines.map(({ to }) => to)).toEqual([
+  await expectSketch(page, ({ lines }) => lines.map(({ to }) => to), [
     [8, 0, 0],
     [8, 6, 0],
     [0, 6, 0],

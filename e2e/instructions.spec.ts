@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
 import { countFrames, readImage, readPdf, readVideo, readZip } from './helpers/readers.ts';
 import { bytesOf, openModelRoom } from './helpers/rooms.ts';
-import { expect, test } from './helpers/test.ts';
+import { expect, steadyBox, test } from './helpers/test.ts';
 
 test.use({ draws: false });
 
@@ -9,10 +9,7 @@ const PICTURE = '.step-picture canvas[data-step]';
 
 /** Draws over the step: to the left, when `by` is below zero, for the next one. */
 async function swipe(page: Page, by: number): Promise<void> {
-  const box = await page.locator('.step-picture').boundingBox();
-  if (!box) {
-    throw new Error('no picture');
-  }
+  const box = await steadyBox(page.locator('.step-picture'));
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -27,6 +24,7 @@ test('steps are read, ticked off and remembered', async ({ page }) => {
   await page.keyboard.press('ArrowRight');
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '2');
   await page.keyboard.press('ArrowLeft');
+  await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '1');
   await swipe(page, 200);
   await expect(page.locator(PICTURE)).toHaveAttribute('data-step', '1');
   await swipe(page, -200);

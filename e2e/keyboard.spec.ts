@@ -1,10 +1,10 @@
 import {
   expect,
+  expectLines,
   generate,
   openEmpty,
   openPage,
   runCommand,
-  savedSketch,
   test,
 } from './helpers/test.ts';
 
@@ -26,7 +26,7 @@ test('a box is drawn with the keyboard alone', async ({ page }) => {
     await page.keyboard.press('PageUp');
   }
   await page.keyboard.press('Enter');
-  expect((await savedSketch(page)).lines).toHaveLength(12);
+  await expectLines(page, 12);
 });
 
 test('lines are drawn, generated and undone with the keyboard alone', async ({ page }) => {
@@ -45,10 +45,10 @@ test('lines are drawn, generated and undone with the keyboard alone', async ({ p
     }
     await page.keyboard.press('Enter');
   }
-  expect((await savedSketch(page)).lines).toHaveLength(4);
+  await expectLines(page, 4);
   await generate(page);
   await page.keyboard.press('Control+z');
-  expect((await savedSketch(page)).lines).toHaveLength(3);
+  await expectLines(page, 3);
 });
 
 test('every command is found in the palette and run from there', async ({ page }) => {
@@ -86,8 +86,12 @@ test('a key that comes right after Escape is not the closing sheet’s', async (
     help?.dispatchEvent(new Event('cancel', { cancelable: true }));
     help?.close();
     key({ key: 'k', code: 'KeyK', ctrlKey: true });
-    await new Promise((later) => setTimeout(later, 100));
-    return [...document.querySelectorAll('dialog')].map((each) => each.ariaLabel);
+    const labels = () => [...document.querySelectorAll('dialog')].map((each) => each.ariaLabel);
+    // The closed sheet goes and the new one comes with the next frames.
+    for (let i = 0; i < 100 && labels().join() !== 'All commands'; i++) {
+      await new Promise((later) => setTimeout(later, 50));
+    }
+    return labels();
   });
   expect(dialogs).toEqual(['All commands']);
 });

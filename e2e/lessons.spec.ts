@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from './helpers/test.ts';
+import { expect, steadyBox, test } from './helpers/test.ts';
 
 async function openLesson(page: Page, id: string): Promise<void> {
   await page.addInitScript(() => {
@@ -88,10 +88,7 @@ test('folding: a brace of ten holds a frame of six and eight', async ({ page }) 
 test('puzzle: beams by mouse and by keys, and the solver plays along', async ({ page }) => {
   await openLesson(page, 'puzzle');
   const board = page.locator('.puzzle-board');
-  const box = await board.boundingBox();
-  if (!box) {
-    throw new Error('no board');
-  }
+  const box = await steadyBox(board);
   const unit = box.width / 10;
   const place = (x: number, y: number) =>
     [box.x + (x + 1) * unit, box.y + box.height - (y + 1) * unit] as const;

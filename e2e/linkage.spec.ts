@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test';
-import { expect, test } from './helpers/test.ts';
+import { expect, steadyBox, test } from './helpers/test.ts';
 
 test.use({ draws: false });
 
@@ -9,10 +9,7 @@ const cards = (page: Page) => page.locator('.linkage-card');
 test('a drawn path becomes a machine that turns', async ({ page }) => {
   await page.goto('./?room=linkage');
   const paper = page.locator('.path-canvas');
-  const box = await paper.boundingBox();
-  if (!box) {
-    throw new Error('there is no paper');
-  }
+  const box = await steadyBox(paper);
   // An ellipse of about 8 by 4 modules; 20 modules are as high as the paper.
   const unit = box.height / 20;
   const at = (i: number) =>

@@ -3,14 +3,19 @@ import type { Page } from '@playwright/test';
 import type { StandardView } from '../web/src/view/view-types.ts';
 import { Camera, type Point } from './helpers/camera.ts';
 import {
+  begun,
   canvasPoint,
   clickPlaces,
   expect,
+  expectLines,
+  expectSketch,
   generate,
   openEmpty,
   runCommand,
+  type Saved,
   savedSketch,
   settled,
+  steadyBox,
   test,
 } from './helpers/test.ts';
 
@@ -20,19 +25,17 @@ test.use({ draws: false });
 /** So often the picture is made smaller, so that what is still to be drawn is in it. */
 const ZOOMS = 4;
 
-interface Line {
-  readonly from: [number, number, number];
-  readonly to: [number, number, number];
-}
-
-async function linesOf(page: Page): Promise<readonly Line[]> {
-  return (await savedSketch(page)).lines as Line[];
-}
-
-/** Looks from a side at what is drawn, a little from afar. @returns where points are on screen. */
-async function lookFrom(page: Page, view: 'iso' | 'top'): Promise<Camera> {
-  const empty = await page.getByText('Draw some lines first.').isVisible();
-  const shown = empty ? [] : (await linesOf(page)).flatMap(({ from, to }) => [from, to]);
+/**
+ * Looks from a side at what is drawn, a little from afar.
+ * @param lines so many are drawn by now.
+ * @returns where points are on screen.
+ */
+async function lookFrom(page: Page, view: 'iso' | 'top', lines: number): Promise<Camera> {
+  if (lines > 0) {
+    await expectLines(page, lines);
+  }
+  const drawn = lines > 0 ? (await savedSketch(page)).lines : [];
+  const shown = drawn.flatMap(({ from, to }) => [from, to]) as unknown as Point[];
   await page.keyboard.press(view === 'iso' ? 'i' : 't');
   await settled(page);
   for (let i = 0; i < ZOOMS; i++) {
@@ -43,8 +46,8 @@ async function lookFrom(page: Page, view: 'iso' | 'top'): Promise<Camera> {
 }
 
 async function cameraOf(page: Page, view: StandardView, shown: readonly Point[]) {
-  const box = await page.locator('.scene canvas').boundingBox();
-  return new Camera(view, shown, box ?? { width: 1, height: 1 }, 1 / 1.25 ** ZOOMS);
+  const box = await steadyBox(page.locator('.scene canvas'));
+  return new Camera(view, shown, box, 1 / 1.25 ** ZOOMS);
 }
 
 /** Clicks points of space one after the other, and ends the chain. */
@@ -58,26 +61,29 @@ async function clickPoints(page: Page, camera: Camera, points: readonly Point[])
 
 /** Undoes everything, then does everything again, with a reload in between. */
 async function thereAndBack(page: Page): Promise<void> {
-  const before = await linesOf(page);
+  const before = (await savedSketch(page)).lines;
   const undo = page.getByRole('button', { name: 'Undo' });
-  while (await undo.isEnabled()) {
+  await expect(async () => {
     await page.keyboard.press('Control+z');
-  }
+    await expect(undo).toBeDisabled({ timeout: 50 });
+  }).toPass({ intervals: [0] });
   await page.reload();
+  await begun(page);
   const redo = page.getByRole('button', { name: 'Redo' });
   await expect(redo).toBeEnabled();
-  while (await redo.isEnabled()) {
+  await expect(async () => {
     await page.keyboard.press('Control+Shift+z');
-  }
-  expect(await linesOf(page)).toEqual(before);
+    await expect(redo).toBeDisabled({ timeout: 50 });
+  }).toPass({ intervals: [0] });
+  await expectSketch(page, ({ lines }) => lines, before);
 }
 
 test('a table: a rectangle and four legs of a typed length', async ({ page }) => {
   await openEmpty(page);
-  const above = await lookFrom(page, 'top');
+  const above = await lookFrom(page, 'top', 0);
   await page.keyboard.press('r');
   await clickPlaces(page, [above.at([-4, -2, 0]), above.at([4, 2, 0])]);
-  const corner = await lookFrom(page, 'iso');
+  const corner = await lookFrom(page, 'iso', 4);
   await page.keyboard.press('l');
   for (const foot of [
     [-4, -2, 0],
@@ -92,8 +98,7 @@ test('a table: a rectangle and four legs of a typed length', async ({ page }) =>
     await page.keyboard.press('Enter');
     await page.keyboard.press('Escape');
   }
-  const legs = (await linesOf(page)).slice(4);
-  expect(legs.map((line) => line.to[2])).toEqual([-5, -5, -5, -5]);
+  await expectSketch(page, ({ lines }) => lines.slice(4).map(({ to }) => to[2]), [-5, -5, -5, -5]);
   await generate(page);
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
   await thereAndBack(page);
@@ -101,11 +106,10 @@ test('a table: a rectangle and four legs of a typed length', async ({ page }) =>
 
 test('a house whose roof is made of 3-4-5 triangles', async ({ page }) => {
   await openEmpty(page);
-  const ground = await lookFrom(page, 'iso');
+  const ground = await lookFrom(page, 'iso', 0);
   await page.keyboard.press('b');
   await clickPlaces(page, [ground.at([-3, -3, 0]), ground.at([3, 3, 0]), ground.at([3, 3, 4])]);
-  expect(await linesOf(page)).toHaveLength(12);
-  const camera = await lookFrom(page, 'iso');
+  const camera = await lookFrom(page, 'iso', 12);
   await page.keyboard.press('l');
   await runCommand(page, 'plane upright ZX');
   for (const y of [-3, 3]) {
@@ -119,15 +123,14 @@ test('a house whose roof is made of 3-4-5 triangles', async ({ page }) => {
     [0, -3, 8],
     [0, 3, 8],
   ]);
-  const roof = (await linesOf(page)).slice(12);
-  expect(roof.map(({ from, to }) => Math.hypot(...from.map((v, k) => v - (to[k] ?? 0))))).toEqual([
-    5, 5, 5, 5, 6,
-  ]);
+  const roof = ({ lines }: Saved) =>
+    lines.slice(12).map(({ from, to }) => Math.hypot(...from.map((v, k) => v - (to[k] ?? 0))));
+  await expectSketch(page, roof, [5, 5, 5, 5, 6]);
 });
 
 test('a seesaw that turns about a joint', async ({ page }) => {
   await openEmpty(page);
-  const ground = await lookFrom(page, 'iso');
+  const ground = await lookFrom(page, 'iso', 0);
   await page.keyboard.press('l');
   await clickPoints(page, ground, [
     [-4, 0, 0],
@@ -141,7 +144,7 @@ test('a seesaw that turns about a joint', async ({ page }) => {
     [0, 0, 0],
     [0, 0, 5],
   ]);
-  const camera = await lookFrom(page, 'iso');
+  const camera = await lookFrom(page, 'iso', 3);
   await page.keyboard.press('l');
   await runCommand(page, 'plane upright ZX');
   await clickPoints(page, camera, [
@@ -161,14 +164,13 @@ test('a seesaw that turns about a joint', async ({ page }) => {
   await runCommand(page, 'join lines');
   await page.keyboard.press('j');
   await clickPlaces(page, [camera.at([0, 0, 5])]);
-  const sketch = (await savedSketch(page)) as { lines: Line[]; joints?: { axis: number[] }[] };
-  expect(sketch.lines).toHaveLength(4);
-  expect(sketch.joints?.[0]?.axis.map(Math.abs)).toEqual([0, 1, 0]);
+  await expectLines(page, 4);
+  await expectSketch(page, ({ joints }) => joints?.[0]?.axis.map(Math.abs), [0, 1, 0]);
 });
 
 test('an airplane of which one half is drawn and mirrored', async ({ page }) => {
   await openEmpty(page);
-  const above = await lookFrom(page, 'top');
+  const above = await lookFrom(page, 'top', 0);
   await page.keyboard.press('l');
   await clickPoints(page, above, [
     [0, -5, 0],
@@ -194,20 +196,23 @@ test('an airplane of which one half is drawn and mirrored', async ({ page }) => 
   await page.mouse.up();
   await page.keyboard.up('Shift');
   await page.keyboard.press('m');
-  const lines = await linesOf(page);
-  expect(lines).toHaveLength(9);
-  const xs = lines.flatMap(({ from: a, to: b }) => [a[0], b[0]]);
-  expect([Math.min(...xs), Math.max(...xs)]).toEqual([-6, 6]);
+  await expectLines(page, 9);
+  const ends = ({ lines }: Saved) => {
+    const xs = lines.flatMap(({ from: a, to: b }) => [a[0] ?? 0, b[0] ?? 0]);
+    return [Math.min(...xs), Math.max(...xs)];
+  };
+  await expectSketch(page, ends, [-6, 6]);
   // The program finds the mirror plane, and a click keeps it.
   await page.getByRole('heading', { name: 'Symmetry' }).click();
   await page.getByRole('checkbox', { name: 'Mirror at x = 0 found' }).click();
-  const { symmetries } = (await savedSketch(page)) as { symmetries?: unknown[] };
-  expect(symmetries).toEqual([{ kind: 'reflection', normal: [1, 0, 0], offset: 0 }]);
+  await expectSketch(page, ({ symmetries }) => symmetries, [
+    { kind: 'reflection', normal: [1, 0, 0], offset: 0 },
+  ]);
 });
 
 test('a corner that is dragged takes its side along', async ({ page }) => {
   await openEmpty(page);
-  const above = await lookFrom(page, 'top');
+  const above = await lookFrom(page, 'top', 0);
   await page.keyboard.press('r');
   await clickPlaces(page, [above.at([-4, -2, 0]), above.at([4, 2, 0])]);
   await page.keyboard.press('v');
@@ -217,9 +222,11 @@ test('a corner that is dragged takes its side along', async ({ page }) => {
   await page.mouse.down();
   await page.mouse.move(to.x, to.y, { steps: 3 });
   await page.mouse.up();
-  const xs = (await linesOf(page)).flatMap((line) => [line.from[0], line.to[0]]);
-  expect([...new Set(xs)].sort((a, b) => a - b)).toEqual([-4, 7]);
+  const xs = ({ lines }: Saved) =>
+    [...new Set(lines.flatMap(({ from: a, to: b }) => [a[0] ?? 0, b[0] ?? 0]))].sort(
+      (a, b) => a - b,
+    );
+  await expectSketch(page, xs, [-4, 7]);
   await page.keyboard.press('Control+z');
-  const back = (await linesOf(page)).flatMap((line) => [line.from[0], line.to[0]]);
-  expect(Math.max(...back)).toBe(4);
+  await expectSketch(page, xs, [-4, 4]);
 });

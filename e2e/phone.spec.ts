@@ -1,5 +1,5 @@
 import type { CDPSession } from '@playwright/test';
-import { canvasPoint, expect, openPage, savedSketch, settled, test } from './helpers/test.ts';
+import { canvasPoint, expect, expectLines, openPage, settled, test } from './helpers/test.ts';
 
 test.use({ draws: false, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
@@ -26,7 +26,7 @@ test('one finger draws a line on a phone', async ({ page }) => {
   await settled(page);
   const session = await page.context().newCDPSession(page);
   await drag(session, await canvasPoint(page, -90, 40), await canvasPoint(page, 90, 40));
-  expect((await savedSketch(page)).lines).toHaveLength(1);
+  await expectLines(page, 1);
 });
 
 test('the sheet opens over the drawing and closes again', async ({ page }) => {

@@ -40,7 +40,7 @@ for (const [device, size] of [
       await openPage(page);
       for (const name of NAMES) {
         await goTo(page, name);
-        expect(await hiddenPlaces(page), name).toEqual([]);
+        await expect.poll(() => hiddenPlaces(page), name).toEqual([]);
       }
     });
   });

@@ -1,4 +1,4 @@
-import { expect, generate, goTo, openEmpty, openText, savedSketch, test } from './helpers/test.ts';
+import { expect, expectLines, generate, goTo, openEmpty, openText, test } from './helpers/test.ts';
 
 // Nothing here looks at the picture.
 test.use({ draws: false });
@@ -32,7 +32,7 @@ test('a click proves how few beams do, and what the bound proves needs no click'
   await goTo(page, 'Draw');
   await openText(page, JSON.stringify({ ...SQUARE, lines: [{ from: [0, 0, 0], to: [8, 0, 0] }] }));
   // Files are read in a worker: the drawing comes a moment later.
-  await expect.poll(async () => (await savedSketch(page)).lines.length).toBe(1);
+  await expectLines(page, 1);
   await generate(page);
   await goTo(page, 'Check');
   await expect(proof).toContainText('proved');

@@ -2,9 +2,9 @@ import {
   chooseExample,
   clickPlaces,
   expect,
+  expectLines,
   openPage,
   runCommand,
-  savedSketch,
   test,
 } from './helpers/test.ts';
 
@@ -48,5 +48,5 @@ test('a newcomer’s box is a model after a few clicks, and nothing else', async
     [120, 60],
   ]);
   await expect(page.getByTestId('verdict')).toContainText('Buildable', { timeout: 60_000 });
-  expect((await savedSketch(page)).lines).toHaveLength(12);
+  await expectLines(page, 12);
 });

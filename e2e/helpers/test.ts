@@ -1,4 +1,4 @@
-import { test as base, expect, type Locator, type Page } from '@playwright/test';
+import { test as base, type Download, expect, type Locator, type Page } from '@playwright/test';
 
 /** Software rendering waits for its pixels and says so; that is no fault of the page. */
 const HARMLESS = /GPU stall due to ReadPixels/;
@@ -77,11 +77,16 @@ export function withoutDrawing(): void {
   gl.clear = nothing;
 }
 
+/** Waits until the page has what it begins with (the last visit's sketch, a link's, or the first example), and keeps edits. */
+export async function begun(page: Page): Promise<void> {
+  await expect(page.locator('html[data-kept]')).toBeAttached({ timeout: 60_000 });
+}
+
 /** Opens the page and waits until it can be used. */
 export async function openPage(page: Page, address = '/'): Promise<void> {
   await page.goto(address);
+  await begun(page);
   await expect(page.locator('.scene canvas')).toBeVisible();
-  // Either the last visit's sketch, a link's, or the first example is there.
   await expect(page.getByText('Draw some lines first.')).toBeHidden();
 }
 
@@ -116,15 +121,53 @@ export async function settled(page: Page): Promise<void> {
   );
 }
 
-/** How many lines the sketch has, from the sketch file that the page saves. */
-export async function savedSketch(page: Page): Promise<{ lines: unknown[]; name?: string }> {
-  const text = await downloaded(page, () => page.keyboard.press('Control+s'));
-  return JSON.parse(text) as { lines: unknown[] };
+/** What the tests read of a sketch file. */
+export interface Saved {
+  readonly name?: string;
+  readonly lines: { from: number[]; to: number[] }[];
+  readonly joints?: { at: number[]; axis: number[] }[];
+  readonly symmetries?: { kind: string; normal?: number[]; lines?: number[] }[];
+}
+
+/**
+ * The sketch file that the page saves now. What an edit before it makes of the sketch may come later: see expectLines
+ * and expectSketch.
+ */
+export async function savedSketch(page: Page): Promise<Saved> {
+  await begun(page);
+  // A sheet that is closing still takes the key.
+  for (let tries = 0; tries < 4; tries++) {
+    const waiting = page.waitForEvent('download', { timeout: 15_000 }).catch(() => null);
+    await page.keyboard.press('Control+s');
+    const file = await waiting;
+    if (file) {
+      return JSON.parse(await textOf(file)) as Saved;
+    }
+  }
+  throw new Error('the page saved no sketch');
+}
+
+/** Waits until the sketch has so many lines. */
+export async function expectLines(page: Page, count: number): Promise<void> {
+  await expect.poll(async () => (await savedSketch(page)).lines.length).toBe(count);
+}
+
+/** Waits until something is true of the sketch. */
+export async function expectSketch(
+  page: Page,
+  read: (sketch: Saved) => unknown,
+  wanted: unknown,
+): Promise<void> {
+  await expect.poll(async () => read(await savedSketch(page))).toEqual(wanted);
 }
 
 /** The text of the file that an action downloads. */
 export async function downloaded(page: Page, action: () => Promise<void>): Promise<string> {
   const [file] = await Promise.all([page.waitForEvent('download'), action()]);
+  return textOf(file);
+}
+
+async function textOf(file: Download): Promise<string> {
   const stream = await file.createReadStream();
   const chunks: Buffer[] = [];
   for await (const chunk of stream) {
@@ -151,9 +194,15 @@ export async function openText(page: Page, content: string, name = 'a.sketch.jso
 }
 
 export async function openPalette(page: Page): Promise<Locator> {
+  await begun(page);
   const input = page.getByRole('combobox', { name: 'Search for a command' });
-  await page.keyboard.press('Control+k');
-  await expect(input).toBeVisible();
+  // A sheet that is closing still takes the key.
+  await expect(async () => {
+    if (!(await input.isVisible())) {
+      await page.keyboard.press('Control+k');
+    }
+    await expect(input).toBeVisible({ timeout: 5000 });
+  }).toPass();
   return input;
 }
 
@@ -185,16 +234,33 @@ export async function generate(page: Page): Promise<void> {
   await expect(page.getByRole('button', { name: /^Generate/ })).toBeVisible({ timeout: 90_000 });
 }
 
+/** Where something is, once it has stayed there for some frames: what loads late moves what is around it. */
+export function steadyBox(
+  locator: Locator,
+): Promise<{ x: number; y: number; width: number; height: number }> {
+  return locator.evaluate(
+    (element) =>
+      new Promise((resolve) => {
+        let [last, same] = ['', 0];
+        const look = () => {
+          const { x, y, width, height } = element.getBoundingClientRect();
+          const now = [x, y, width, height].join(' ');
+          same = now === last && width > 0 ? same + 1 : 0;
+          last = now;
+          return same > 2 ? resolve({ x, y, width, height }) : requestAnimationFrame(look);
+        };
+        look();
+      }),
+  );
+}
+
 /** A place in the drawing: pixels from its middle, y upwards. */
 export async function canvasPoint(
   page: Page,
   x: number,
   y: number,
 ): Promise<{ x: number; y: number }> {
-  const box = await page.locator('.scene canvas').boundingBox();
-  if (!box) {
-    throw new Error('the drawing is not on screen');
-  }
+  const box = await steadyBox(page.locator('.scene canvas'));
   return { x: box.x + box.width / 2 + x, y: box.y + box.height / 2 - y };
 }
 

@@ -1,3 +1,4 @@
+import { useEffect, useRef } from 'preact/hooks';
 import type { Vec3 } from '../geometry/vec.ts';
 import { type FoundSymmetry, isSameSymmetry } from '../model/found-symmetries.ts';
 import type { Stretch } from '../model/report.ts';
@@ -112,9 +113,20 @@ function middleOf({ from, to }: Stretch): Vec3 {
 /** A symmetry shows itself in the scene while one is about to confirm it. */
 function Found({ symmetry }: { readonly symmetry: FoundSymmetry }) {
   const page = usePage();
+  const mine = useRef(false);
   const propose = (shown: FoundSymmetry | null) => {
+    mine.current = shown !== null;
     page.proposedSymmetry.value = shown;
   };
+  // A row that goes from under the pointer, as the list is found anew, is not left by it.
+  useEffect(
+    () => () => {
+      if (mine.current) {
+        page.proposedSymmetry.value = null;
+      }
+    },
+    [page],
+  );
   return (
     <li onPointerEnter={() => propose(symmetry)} onPointerLeave={() => propose(null)}>
       {symmetry.kind === 'rotation' ? (
