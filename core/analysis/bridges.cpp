@@ -17,6 +17,9 @@ namespace {
 
 using lattice::Vec3;
 
+//! A connection at just the reach is within it, wherever rounding leaves it.
+constexpr double kSlack = NodeIndex::kSameNode;
+
 //! Finds out whether uncovered edges are bridged.
 class Bridges {
  public:
@@ -82,7 +85,7 @@ class Bridges {
   [[nodiscard]] UnionFind groupsNear(int first, int last) const {
     std::set<int> mechanism;
     for (const model::Connection& c : scene_.connections) {
-      if (distance(c.at, edge(first).from, edge(last).to) <= kBridgeReach) {
+      if (distance(c.at, edge(first).from, edge(last).to) <= kBridgeReach + kSlack) {
         mechanism.insert({c.male, c.female});
       }
     }

@@ -23,15 +23,20 @@ struct Candidate {
 
 constexpr double kNotSaid = 100.0;
 
+//! Layers are whole, or quarters beside whole for thin beams: what rounding leaves of a position
+//! must not decide which of two comes first.
+double layerOf(const Cover& cover) {
+  return 0.25 * static_cast<double>(std::lround(4.0 * std::abs(cover.layer)));
+}
+
 class Matching {
  public:
   explicit Matching(std::vector<EdgeCover>& edges) : edges_(edges) {
     numberEdges();
     for (std::size_t e = 0; e < edges.size(); ++e) {
       for (const Cover& cover : edges[e].covers) {
-        addCandidate(places_[e],
-                     moduleOf(edges[e], cover),
-                     std::abs(cover.layer) + (cover.said ? 0.0 : kNotSaid));
+        addCandidate(
+            places_[e], moduleOf(cover), layerOf(cover) + (cover.said ? 0.0 : kNotSaid));
       }
     }
     std::set<int> said;
@@ -84,7 +89,7 @@ class Matching {
       covers.erase(std::remove_if(covers.begin(),
                                   covers.end(),
                                   [&](const Cover& cover) {
-                                    const int module = moduleOf(edges_[e], cover);
+                                    const int module = moduleOf(cover);
                                     return owner_[static_cast<std::size_t>(module)] != places_[e];
                                   }),
                    covers.end());
@@ -103,12 +108,9 @@ class Matching {
     candidates_.resize(known.size());
   }
 
-  int moduleOf(const EdgeCover& edge, const Cover& cover) {
-    // Along the beam an edge and the module that covers it have the same middle.
-    const lattice::Vec3 d = edge.to - edge.from;
-    const double sign = d.x + 3 * d.y + 9 * d.z < 0 ? -1.0 : 1.0;
-    const double middle = sign * lattice::dot(0.5 * (edge.from + edge.to), d);
-    const Key key{cover.part, cover.stretch, static_cast<long>(std::floor(2.0 * middle + 0.5))};
+  //! Counted from the beam's own end: what is far from the origin or turned gives the same.
+  int moduleOf(const Cover& cover) {
+    const Key key{cover.part, cover.stretch, std::lround(2.0 * cover.place)};
     return modules_.emplace(key, static_cast<int>(modules_.size())).first->second;
   }
 

@@ -92,7 +92,8 @@ void coverEdges(const WorldStretch& stretch, const sketch::Line& line, EdgeCover
   const double forward = axis.x + axis.y + axis.z < 0 ? -layer : layer;
   const bool said = std::lround(forward) == stretch.layerSaid;
   for (int k = first; k < last; ++k) {
-    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis, said, stretch.number});
+    const double place = std::abs(k + 0.5 - a);
+    edges[k].covers.push_back({stretch.part, layer, stretch.holeAxis, said, stretch.number, place});
   }
 }
 

@@ -20,6 +20,7 @@ struct Cover {
   lattice::Vec3 holeAxis;  //!< world, unit
   bool said = false;       //!< the model says that the beam is on this layer of its line
   int stretch = 0;         //!< which of the part's stretches
+  double place = 0.0;      //!< of the edge's middle, from the beginning of that stretch
 };
 
 //! \brief One unit edge of a sketch line and what covers it.

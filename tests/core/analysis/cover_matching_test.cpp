@@ -13,6 +13,16 @@ EdgeCover edgeAt(int line, double x, double z) {
   return {line, 0, {x, 0, z}, {x + 1, 0, z}, {}};
 }
 
+//! Matches covers by beams that all begin at x = 0.
+void match(std::vector<EdgeCover>* edges) {
+  for (EdgeCover& edge : *edges) {
+    for (Cover& cover : edge.covers) {
+      cover.place = edge.from.x + 0.5;
+    }
+  }
+  matchCovers(*edges);
+}
+
 std::vector<int> partsOf(const EdgeCover& edge) {
   std::vector<int> parts;
   for (const Cover& cover : edge.covers) {
@@ -26,7 +36,7 @@ TEST(MatchCovers, GivesABeamBetweenTwoLinesToTheOneThatTheModelSays) {
   std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 2)};
   edges[0].covers = {{0, 1.0, kUp, false}, {1, -2.0, kUp, true}};
   edges[1].covers = {{0, -1.0, kUp, true}};
-  matchCovers(edges);
+  match(&edges);
   EXPECT_EQ(partsOf(edges[0]), std::vector<int>{1});
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{0});
 }
@@ -35,7 +45,7 @@ TEST(MatchCovers, LeavesNoEdgeBareForWhatTheModelSays) {
   std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 2)};
   edges[0].covers = {{0, 1.0, kUp, true}, {1, -1.0, kUp, false}};
   edges[1].covers = {{0, -1.0, kUp, false}};
-  matchCovers(edges);
+  match(&edges);
   EXPECT_EQ(partsOf(edges[0]), std::vector<int>{1});
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{0});
 }
@@ -46,7 +56,7 @@ TEST(MatchCovers, DoesNotTakeABeamThatSticksOutForTheNextLinesBeam) {
   std::vector<EdgeCover> edges{edgeAt(0, 0, -1), edgeAt(1, 1, 0)};
   edges[0].covers = {{0, -1.0, kUp, true}};
   edges[1].covers = {{0, -2.0, kUp, false}, {1, 2.0, kUp, true}};
-  matchCovers(edges);
+  match(&edges);
   EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0});
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{1});
 }
@@ -55,7 +65,7 @@ TEST(MatchCovers, TakesTheNearestWhereTheModelSaysNothing) {
   std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 3)};
   edges[0].covers = {{0, 1.0, kUp, false}, {1, 2.0, kUp, false}};
   edges[1].covers = {{0, -2.0, kUp, false}, {1, -1.0, kUp, false}};
-  matchCovers(edges);
+  match(&edges);
   EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0});
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{1});
 }
@@ -64,9 +74,20 @@ TEST(MatchCovers, TellsTheParallelBarsOfAFrameApart) {
   std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 4)};
   edges[0].covers = {{0, 0.0, kUp, true, 0}};
   edges[1].covers = {{0, 0.0, kUp, true, 1}};
-  matchCovers(edges);
+  match(&edges);
   EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0});
   EXPECT_EQ(partsOf(edges[1]), std::vector<int>{0});
+}
+
+TEST(MatchCovers, IsNotDecidedByWhatRoundingLeavesOfALayer) {
+  for (const double noise : {-1e-10, 1e-10}) {
+    // Both edges could have either beam; the first in order takes the first.
+    std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 2)};
+    edges[0].covers = {{0, 1.0 + noise, kUp, true}, {1, -1.0, kUp, true}};
+    edges[1].covers = {{0, -1.0, kUp, true}, {1, -1.0 - noise, kUp, true}};
+    match(&edges);
+    EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0}) << noise;
+  }
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "analysis/coverage.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "analysis/scene.h"
+#include "core/helpers/four_bars.h"
 
 namespace liftarm::analysis {
 namespace {
@@ -48,6 +51,51 @@ TEST(CountGaps, LeavesOutABeamWithoutAHoleThere) {
   EXPECT_EQ(countGaps(scene, coverage), 0);
   coverage.push_back({2, 0, {0, -1, 0}, {0, 0, 0}, {{2, -1.0, up, true}}});
   EXPECT_EQ(countGaps(scene, coverage), 1);  // no pin passes the frame between them
+}
+
+//! Two posts at x = 0 and 1 whose feet a line joins that no beam covers, and a double pin through
+//! both three modules above it: just the reach of a bridge.
+struct BridgedFeet {
+  BridgedFeet() {
+    const lattice::Mat3 upright = lattice::fromColumns({-1, 0, 0}, {0, 0, 1}, kY);
+    for (const double x : {0.0, 1.0}) {
+      model.parts.push_back({"32316", 71, {{x, 0, 2}, upright}, -1, 0, 0});
+    }
+    const lattice::Mat3 across = lattice::fromColumns(kY, {0, 0, 1}, {1, 0, 0});
+    model.parts.push_back({"32138", 71, {{0.5, 1, 3}, across}, -1, 0, 0});
+    sketch.lines = {{{0, 0, 0}, {1, 0, 0}, 1, false, {}},
+                    {{0, 0, 0}, {0, 0, 4}, 4, false, {}},
+                    {{1, 0, 0}, {1, 0, 4}, 4, false, {}}};
+  }
+
+  [[nodiscard]] ItemResult checkMoved(const lattice::Pose& motion) const {
+    model::Model moved = model;
+    for (model::PlacedPart& part : moved.parts) {
+      part.pose = testing::after(motion, part.pose);
+    }
+    Scene scene = makeScene(moved, parts::Catalogue::builtIn());
+    scene.sketch = sketch;
+    for (sketch::Line& line : scene.sketch->lines) {
+      line.from = motion.apply(line.from);
+      line.to = motion.apply(line.to);
+    }
+    return checkCoverage(scene, findCoverage(scene));
+  }
+
+  model::Model model;
+  sketch::Sketch sketch;
+};
+
+TEST(CheckCoverage, BridgesAtJustTheReachWhereverThatStands) {
+  const BridgedFeet feet;
+  ASSERT_TRUE(feet.checkMoved({}).problems.empty()) << feet.checkMoved({}).problems[0].message;
+  for (int k = 0; k < 40; ++k) {
+    const double turn = 0.1 * k;
+    const lattice::Vec3 x{std::cos(turn), 0, std::sin(turn)};
+    const lattice::Vec3 z{-std::sin(turn), 0, std::cos(turn)};
+    const lattice::Pose motion{{33.0 / (k + 1), k / 3.0, 0.7 * k}, lattice::fromColumns(x, kY, z)};
+    EXPECT_TRUE(feet.checkMoved(motion).problems.empty()) << "motion " << k;
+  }
 }
 
 }  // namespace
