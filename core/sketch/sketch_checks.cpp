@@ -38,6 +38,14 @@ std::string axesText(const Line& line, bool along) {
   return text;
 }
 
+//! Half modules: parts have their holes a module apart, so the drawing has to grow.
+std::string twiceText(double length) {
+  const double twice = std::round(2.0 * length);
+  return isSnapped(2.0 * length - twice)
+             ? "; with the whole drawing twice as large it would be " + shortNumber(twice)
+             : "";
+}
+
 bool checkWholeLength(Line& line, std::string_view place, FieldReader& fields) {
   const double length = lattice::length(line.to - line.from);
   if (isSnapped(length)) {
@@ -49,7 +57,8 @@ bool checkWholeLength(Line& line, std::string_view place, FieldReader& fields) {
     return fields.fail(
         place,
         "length " + shortNumber(length) + " is not a whole number of modules; nearest: " +
-            (below < 1.0 ? "" : shortNumber(below) + " or ") + shortNumber(below + 1.0));
+            (below < 1.0 ? "" : shortNumber(below) + " or ") + shortNumber(below + 1.0) +
+            twiceText(length));
   }
   line.length = static_cast<int>(nearest);
   return true;

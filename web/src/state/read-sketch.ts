@@ -43,7 +43,9 @@ export function readSketch(text: string): Outcome<SketchDocument> {
   try {
     json = JSON.parse(text);
   } catch (error) {
-    return bad(`this is not JSON: ${error instanceof Error ? error.message : 'unreadable'}`);
+    const why = error instanceof Error ? error.message : 'unreadable';
+    // It quotes the text, line ends and all; a refusal is one line.
+    return bad(`this is not JSON: ${why.replace(/\s+/g, ' ')}`);
   }
   const read = readSketchValue(json);
   const fault = read.ok ? strictFault(json, read.value) : null;
@@ -141,8 +143,14 @@ function checkLine(line: SketchLine, place: string): void {
   }
   if (Math.abs(length - whole) > LENGTH_TOLERANCE) {
     const low = Math.max(1, Math.floor(length));
+    const twice = Math.round(2 * length);
+    // Half modules: parts have their holes a module apart, so the drawing has to grow.
+    const grown =
+      Math.abs(2 * length - twice) <= LENGTH_TOLERANCE
+        ? `; with the whole drawing twice as large it would be ${twice}`
+        : '';
     throw new Refusal(
-      `${place}: length ${trim(length)} is not a whole number of modules; nearest: ${low} or ${low + 1}`,
+      `${place}: length ${trim(length)} is not a whole number of modules; nearest: ${low} or ${low + 1}${grown}`,
     );
   }
   const inPlane = [0, 1, 2].some(

@@ -110,6 +110,10 @@ const SKETCH: Sentences = [
     'beide Enden sind derselbe Punkt; eine Linie ist mindestens 1 Modul lang',
   ],
   [
+    'length {n} is not a whole number of modules; nearest: {near}; with the whole drawing twice as large it would be {twice}',
+    'die Länge {n} ist keine ganze Zahl von Modulen; am nächsten: {near}; doppelt so groß gezeichnet wäre sie {twice}',
+  ],
+  [
     'length {n} is not a whole number of modules; nearest: {near}',
     'die Länge {n} ist keine ganze Zahl von Modulen; am nächsten: {near}',
   ],
