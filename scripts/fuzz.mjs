@@ -1,6 +1,7 @@
 // `npm run fuzz -- --minutes N [--from SEED] [--jobs J] [--motions M] [--command FILE]`: solves random sketches, checks the models,
 // moves them as rigid bodies and checks again. What must hold: no crash, no hang, exit 0, 1 or 2 with one message for
-// 1; solve and check agree; a verdict does not depend on place and turn; what is called buildable stays so. Seeds run
+// 1; solve and check agree; a verdict does not depend on place and turn; what is called buildable stays so; a sketch
+// comes back from its link, a model from its .mpd file. Seeds run
 // from SEED on, so that a find comes again; inputs that fail are kept in build/fuzz-finds/. Ends with 1 where any did.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -9,6 +10,7 @@ import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { fuzzCase, rigidMotion } from './lib/fuzz-cases.mjs';
 import { movedModel } from './lib/fuzz-motion.mjs';
+import { compareLink, compareMpd, loadReaders } from './lib/fuzz-round-trips.mjs';
 import { readyCommand } from './lib/ready-command.mjs';
 import { exitWith, StepError, TOP } from './lib/run.mjs';
 import { wholeNumber } from './lib/solve.mjs';
@@ -89,7 +91,7 @@ function compareMoved(checked, moved) {
 }
 
 /** Solves, checks, moves and checks one seed. @returns what came of it. */
-async function tryCase(command, seed, folder, motions) {
+async function tryCase({ command, readers, motions }, seed, folder) {
   const { sketch, args } = fuzzCase(seed);
   const file = (name) => join(folder, `${seed}.${name}`);
   writeFileSync(file('sketch.json'), JSON.stringify(sketch));
@@ -107,7 +109,9 @@ async function tryCase(command, seed, folder, motions) {
     throw new Error('check refuses the model that solve wrote');
   }
   compareChecked(solved, checked);
+  await compareLink(readers, sketch);
   const model = JSON.parse(readFileSync(file('model.json'), 'utf8'));
+  compareMpd(readers, model, readFileSync(file('mpd'), 'utf8'));
   for (let motion = 0; motion < motions; ++motion) {
     const way = rigidMotion(seed + 1e6 * motion, model.sketch);
     writeFileSync(file('moved.json'), JSON.stringify(movedModel(model, way)));
@@ -139,6 +143,7 @@ async function main() {
   const last = options.count ? first + wholeNumber('count', options.count) : Infinity;
   const folder = mkdtempSync(join(tmpdir(), 'liftarm-fuzz-'));
   const motions = wholeNumber('motions', options.motions);
+  const means = { command, motions, readers: await loadReaders() };
   const counts = { buildable: 0, 'not buildable': 0, refused: 0, failed: 0 };
   let next = first;
   const work = async () => {
@@ -147,7 +152,7 @@ async function main() {
       const mine = join(folder, `${seed}`);
       mkdirSync(mine);
       try {
-        counts[await tryCase(command, seed, mine, motions)] += 1;
+        counts[await tryCase(means, seed, mine)] += 1;
       } catch (error) {
         counts.failed += 1;
         keep(seed, error);
