@@ -62,18 +62,28 @@ test('a dropped file is opened', async ({ page }) => {
   await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
 });
 
-test('one clear message for each bad file, and the sketch stays', async ({ page }) => {
-  await openEmpty(page);
-  await openText(page, GOOD, 'good.sketch.json');
-  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
-  for (const [name, content, message] of BAD) {
+for (const [name, content, message] of BAD) {
+  test(`one clear message for the bad file ${name}, and the sketch stays`, async ({ page }) => {
+    await openEmpty(page);
+    await openText(page, GOOD, 'good.sketch.json');
+    await expect(page.getByLabel('Name of the sketch')).toHaveValue('Opened');
     await openText(page, content, name);
     const alert = page.getByRole('alert');
     await expect(alert).toContainText(name);
     await expect(alert).toContainText(message);
     await expect(alert).toHaveCount(1);
+    await expectLines(page, 3);
+  });
+}
+
+test('the message of one bad file makes way for that of the next', async ({ page }) => {
+  await openEmpty(page);
+  for (const [name, content] of BAD.slice(0, 2)) {
+    await openText(page, content, name);
+    const alert = page.getByRole('alert');
+    await expect(alert).toContainText(name);
+    await expect(alert).toHaveCount(1);
   }
-  await expectLines(page, 3);
 });
 
 test('the link holds the sketch', async ({ page, context }) => {
