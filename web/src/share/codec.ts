@@ -65,12 +65,16 @@ export async function encodeShare(state: SharedState): Promise<Outcome<string>> 
     return bad(`A link holds at most ${MAX_LINES} lines. Send the sketch file instead.`);
   }
   const version = versionFor(state);
-  const text = JSON.stringify(VERSIONS[version]?.encode(state));
-  const packed = toBase64Url(await deflate(text));
-  const fragment = `s${version}.${packed}.${checksum(packed)}`;
+  const fragment = await packFragment(version, JSON.stringify(VERSIONS[version]?.encode(state)));
   return fragment.length > MAX_FRAGMENT
     ? bad('This sketch is too large for a link. Send the sketch file instead.')
     : good(fragment);
+}
+
+/** The fragment that holds a text as what one version says, whether that version would write it or not. */
+export async function packFragment(version: string, text: string): Promise<string> {
+  const packed = toBase64Url(await deflate(text));
+  return `s${version}.${packed}.${checksum(packed)}`;
 }
 
 /** The state in an address fragment; null when the fragment is none of ours. */
@@ -384,10 +388,7 @@ async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
 }
 
 function toBase64Url(bytes: Uint8Array): string {
-  let binary = '';
-  for (const byte of bytes) {
-    binary += String.fromCharCode(byte);
-  }
+  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
   return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
