@@ -1,5 +1,8 @@
 #include "analysis/cover_matching.h"
 
+#include <set>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace liftarm::analysis {
@@ -80,14 +83,15 @@ TEST(MatchCovers, TellsTheParallelBarsOfAFrameApart) {
 }
 
 TEST(MatchCovers, IsNotDecidedByWhatRoundingLeavesOfALayer) {
-  for (const double noise : {-1e-10, 1e-10}) {
-    // Both edges could have either beam; the first in order takes the first.
+  std::set<std::vector<int>> answers;
+  for (const double noise : {-1e-10, 0.0, 1e-10}) {
     std::vector<EdgeCover> edges{edgeAt(0, 0, 0), edgeAt(1, 0, 2)};
     edges[0].covers = {{0, 1.0 + noise, kUp, true}, {1, -1.0, kUp, true}};
     edges[1].covers = {{0, -1.0, kUp, true}, {1, -1.0 - noise, kUp, true}};
     match(&edges);
-    EXPECT_EQ(partsOf(edges[0]), std::vector<int>{0}) << noise;
+    answers.insert(partsOf(edges[0]));
   }
+  EXPECT_EQ(answers.size(), 1U);
 }
 
 }  // namespace
