@@ -35,8 +35,7 @@ class Matching {
     numberEdges();
     for (std::size_t e = 0; e < edges.size(); ++e) {
       for (const Cover& cover : edges[e].covers) {
-        addCandidate(
-            places_[e], moduleOf(cover), layerOf(cover) + (cover.said ? 0.0 : kNotSaid));
+        addCandidate(places_[e], moduleOf(cover), layerOf(cover) + (cover.said ? 0.0 : kNotSaid));
       }
     }
     std::set<int> said;

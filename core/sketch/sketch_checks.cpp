@@ -54,11 +54,11 @@ bool checkWholeLength(Line& line, std::string_view place, FieldReader& fields) {
   const double nearest = std::max(1.0, std::round(length));
   if (!isSnapped(length - nearest)) {
     const double below = std::floor(length);
-    return fields.fail(
-        place,
-        "length " + shortNumber(length) + " is not a whole number of modules; nearest: " +
-            (below < 1.0 ? "" : shortNumber(below) + " or ") + shortNumber(below + 1.0) +
-            twiceText(length));
+    return fields.fail(place,
+                       "length " + shortNumber(length) +
+                           " is not a whole number of modules; nearest: " +
+                           (below < 1.0 ? "" : shortNumber(below) + " or ") +
+                           shortNumber(below + 1.0) + twiceText(length));
   }
   line.length = static_cast<int>(nearest);
   return true;

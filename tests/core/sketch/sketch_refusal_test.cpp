@@ -106,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
         Row{sketchText(lineText("0,0,0", "3000,0,0")),
             "lines[0].to[0]: 3000 is outside the limit of -2000 to 2000"},
         Row{sketchText(kThree + "," + lineText("0,0,0", "4.5,0,0")),
-            "lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5; with the whole "
+            "lines[3]: length 4.5 is not a whole number of modules; nearest: 4 or 5; with the "
+            "whole "
             "drawing twice as large it would be 9"},
         Row{sketchText(lineText("0,0,0", "5,5,0")),
             "lines[0]: length 7.0711 is not a whole number of modules; nearest: 7 or 8"},
