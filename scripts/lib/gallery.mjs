@@ -2,6 +2,7 @@
 // ships, whole, with their gears. Needs build/wasm.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
+import { deflateRawSync } from 'node:zlib';
 import gifenc from 'gifenc';
 import { encodePng } from './indexed-png.mjs';
 import { loadCore } from './load-core.mjs';
@@ -24,6 +25,7 @@ export async function openGallery(only) {
   }
   return {
     tools,
+    all: models,
     rows: models.filter(({ id }) => !ids || ids.includes(id)),
     solve: (row) => solveWhole(row, tools, core),
     exported: (row, json, format) => {
@@ -36,20 +38,27 @@ export async function openGallery(only) {
   };
 }
 
-/** @returns the frame's report, the text of the whole model, and the parts that gears have added. */
+/**
+ * @returns the frame's report, the text of the whole model, the parts that gears have added, and what the page
+ *   needs to show the frame without a search.
+ */
 function solveWhole(row, tools, core) {
-  const session = new core.SolverSession(
-    textOf(row.file),
-    JSON.stringify({ seed: 1, preset: 'balanced' }),
-  );
+  const session = new core.SolverSession(textOf(row.file), JSON.stringify(tools.settings));
   try {
     while (!session.advance(5000)) {
       // The search goes on.
     }
-    const report = JSON.parse(session.reportJson());
+    const reportJson = session.reportJson();
+    const report = JSON.parse(reportJson);
     const frame = session.modelJson();
+    const made = () => ({
+      settings: tools.settings,
+      modelJson: frame,
+      reportJson,
+      checkJson: core.checkModelJson(frame).text,
+    });
     if (!row.gears) {
-      return { report, json: frame, gears: [] };
+      return { report, json: frame, gears: [], made: row.made ? made() : null };
     }
     const train = tools.readGearTrain(JSON.parse(textOf(row.gears)), tools.catalogue);
     if (!train.ok) {
@@ -59,10 +68,16 @@ function solveWhole(row, tools, core) {
       report,
       json: tools.withTrain(frame, train.value, tools.catalogue),
       gears: tools.placeTrain(train.value, 0, tools.catalogue),
+      made: null,
     };
   } finally {
     session.delete();
   }
+}
+
+/** Writes what the page shows of a model without searching for it (web/src/solver/made-file.ts). */
+export function writeMade(file, made) {
+  writeFileSync(file, deflateRawSync(JSON.stringify(made), { level: 9 }));
 }
 
 /** Draws parts with the page's own renderer into a PNG file. */

@@ -7,17 +7,18 @@ import type { Model } from '../../web/src/model/model.ts';
 import type { SolverModule } from '../../web/src/solver/solver-module.ts';
 import { readGearTrain, withTrain } from '../../web/src/ui/gallery/gear-train.ts';
 import { catalogue } from '../web/view/helpers/catalogue.ts';
-import { loadModule, solveWithModule } from './module.ts';
+import {
+  type GalleryTestRow,
+  modelOf,
+  galleryRows as models,
+  galleryText as text,
+} from './gallery-rows.ts';
+import { loadModule } from './module.ts';
 
 // What a person takes from the gallery to the table: steps to build by, and files for other programs.
 
 const TOP = resolve(import.meta.dirname, '../..');
-const GALLERY = resolve(TOP, 'public/gallery');
 const LDRAW = resolve(TOP, '../shared/ldraw');
-const text = (file: string) => readFileSync(resolve(GALLERY, file), 'utf8');
-const { models } = JSON.parse(text('index.json')) as {
-  models: { id: string; file: string; gears?: string }[];
-};
 
 let module: SolverModule;
 
@@ -28,19 +29,19 @@ beforeAll(async () => {
 /** Solved once for all tests. */
 const known = new Map<string, string>();
 
-function wholeModel(row: { file: string; gears?: string }): string {
+function wholeModel(row: GalleryTestRow): string {
   const model = known.get(row.file) ?? solveWhole(row);
   known.set(row.file, model);
   return model;
 }
 
 /** The model of a row as one builds it: with its gears where it has some. */
-function solveWhole({ file, gears }: { file: string; gears?: string }): string {
-  const { modelJson } = solveWithModule(module, text(file), { seed: 1, preset: 'balanced' });
-  if (!gears) {
+function solveWhole(row: GalleryTestRow): string {
+  const modelJson = modelOf(row, module);
+  if (!row.gears) {
     return modelJson;
   }
-  const train = readGearTrain(JSON.parse(text(gears)), catalogue);
+  const train = readGearTrain(JSON.parse(text(row.gears)), catalogue);
   if (!train.ok) {
     throw new Error(train.message);
   }

@@ -8,6 +8,7 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
+import type { MadeParts } from '../solver/made-file.ts';
 import type { SolverClient } from '../solver/worker-client.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
 import { pagePreferences } from '../state/page-preferences.ts';
@@ -270,11 +271,17 @@ export class PageController implements Actions {
     this.fit();
   }
 
-  readonly openExample = (example: Example): void => {
+  readonly openExample = (example: Example, made: MadeParts | null = null): void => {
     const sketch = namedSketch(example);
     this.replaceSketch(sketch);
     this.state.came.value = sketch;
-    this.generate();
+    if (made && same(made.settings, settingsOf(this.state.preferences.value))) {
+      const model = { ...made, sketch, layoutJson: null };
+      this.run.showMade(model);
+      this.run.confirm(model).catch(() => undefined);
+    } else {
+      this.generate();
+    }
   };
 
   // --- Search --------------------------------------------------------------------------------

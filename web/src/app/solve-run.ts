@@ -131,6 +131,7 @@ export class SolveRun {
     this.#state.value = state;
     const report = timedReport(result);
     if (result.modelJson === made.modelJson) {
+      this.#layout = result.layoutJson;
       this.#running = null;
       batch(() => {
         this.#shown.value = { ...shown, report };

@@ -8,5 +8,6 @@ export interface MadeModel {
   readonly modelJson: string;
   readonly reportJson: string;
   readonly checkJson: string;
-  readonly layoutJson: string;
+  /** What edits go on from; null where it does not come along: confirming the model brings it. */
+  readonly layoutJson: string | null;
 }

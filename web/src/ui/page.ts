@@ -7,6 +7,7 @@ import type { Model } from '../model/model.ts';
 import type { PartsList } from '../model/parts-list.ts';
 import type { CheckItem, CheckReport, Problem, Report, WellBuilt } from '../model/report.ts';
 import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
+import type { MadeParts } from '../solver/made-file.ts';
 import type { MadeModel } from '../solver/made-model.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
@@ -221,7 +222,8 @@ export interface Page {
   useTool(id: ToolId): void;
   /** Gives the keys to the drawing. */
   focusDrawing(): void;
-  openExample(example: Example): void;
+  /** Opens a drawing. @param made its model, shown at once where the settings are those that it was made with. */
+  openExample(example: Example, made?: MadeParts | null): void;
   /** Shows another model of the drawing, and searches with its preset and seed from then on. */
   takeModel(made: MadeModel, search: Pick<SearchSettings, 'preset' | 'seed'>): void;
   openFile(file: File): void;

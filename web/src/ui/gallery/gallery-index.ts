@@ -1,3 +1,4 @@
+import { type MadeParts, unpackMade } from '../../solver/made-file.ts';
 import { readSketchValue } from '../../state/read-sketch.ts';
 import type { Example } from '../page.ts';
 import { inLanguage } from '../text/language.ts';
@@ -11,6 +12,10 @@ export interface GalleryRow {
   readonly text: string;
   readonly moves: boolean;
   readonly gears: string | null;
+  /** Small enough to begin with. */
+  readonly firstStep: boolean;
+  /** Whether its model comes with the page: searching for it takes longer than a person likes to wait. */
+  readonly made: boolean;
   /** Written by scripts/gallery.mjs. */
   readonly beams: number;
   readonly bricks: number;
@@ -50,22 +55,33 @@ export async function loadGallerySketch(row: GalleryRow): Promise<Example> {
   return { file: row.file, title: row.title, description: row.text, sketch: sketch.value };
 }
 
+/**
+ * What the default search gave for a model's sketch when the gallery was made.
+ * @throws Error when it cannot be had.
+ */
+export async function loadMade(row: GalleryRow): Promise<MadeParts> {
+  const reply = await fetchFile(galleryFile(`made/${row.id}.made`));
+  return unpackMade(await reply.arrayBuffer());
+}
+
 export async function fetchJson(address: string): Promise<unknown> {
+  return (await fetchFile(address)).json();
+}
+
+async function fetchFile(address: string): Promise<Response> {
   const reply = await fetch(address);
   if (!reply.ok) {
     throw new Error(`${reply.status}`);
   }
-  return reply.json();
+  return reply;
 }
 
 function readRow(value: unknown): GalleryRow | null {
   if (typeof value !== 'object' || value === null) {
     return null;
   }
-  const { id, file, title, text, moves, gears, beams, bricks, mass } = value as Record<
-    string,
-    unknown
-  >;
+  const { id, file, title, text, moves, gears, firstStep, made, beams, bricks, mass } =
+    value as Record<string, unknown>;
   if (typeof id !== 'string' || typeof file !== 'string' || !FILE.test(file)) {
     return null;
   }
@@ -76,6 +92,8 @@ function readRow(value: unknown): GalleryRow | null {
     text: inLanguage(text),
     moves: moves === true,
     gears: typeof gears === 'string' && FILE.test(gears) ? gears : null,
+    firstStep: firstStep === true,
+    made: made === true,
     beams: Number(beams) || 0,
     bricks: Number(bricks) || 0,
     mass: Number(mass) || 0,

@@ -4,13 +4,24 @@ import { usePage } from '../page-context.ts';
 import { copyText } from '../share/copy-text.ts';
 import { linkTo } from '../share/page-link.ts';
 import { formatNumber } from '../text/language.ts';
-import { type GalleryRow, loadGallery, loadGallerySketch, thumbnailOf } from './gallery-index.ts';
+import {
+  type GalleryRow,
+  loadGallery,
+  loadGallerySketch,
+  loadMade,
+  thumbnailOf,
+} from './gallery-index.ts';
 import { galleryWords as words } from './gallery-words.ts';
 import { GearView } from './gear-view.tsx';
 import { JointView } from './joint-view.tsx';
 import './gallery.css';
 
-/** The paper's models as our own drawings, and two with gears. */
+const SHELVES = [
+  { title: words.models, holds: (row: GalleryRow) => !row.firstStep },
+  { title: words.firstSteps, holds: (row: GalleryRow) => row.firstStep },
+];
+
+/** The paper's models and others as our own drawings: large ones, and small ones to begin with. */
 export function GalleryRoom() {
   const page = usePage();
   const [rows, setRows] = useState<readonly GalleryRow[] | null>(null);
@@ -22,7 +33,12 @@ export function GalleryRoom() {
     loadGallery().then(setRows, failed);
   }, []);
   const open = async (row: GalleryRow): Promise<void> => {
-    page.openExample(await loadGallerySketch(row));
+    const [example, made] = await Promise.all([
+      loadGallerySketch(row),
+      // Without it the model is searched for.
+      row.made ? loadMade(row).catch(() => null) : null,
+    ]);
+    page.openExample(example, made);
     page.openRoom(null);
   };
   const copy = async (row: GalleryRow): Promise<void> => {
@@ -50,21 +66,26 @@ export function GalleryRoom() {
     <div class="gallery">
       <p class="quiet">{words.intro}</p>
       <p role={said.bad ? 'alert' : 'status'}>{said.text}</p>
-      <ul class="gallery-grid">
-        {rows?.map((row) => (
-          <GalleryCard
-            key={row.id}
-            row={row}
-            onOpen={() => {
-              open(row).catch(failed);
-            }}
-            onCopy={() => {
-              copy(row).catch(failed);
-            }}
-            onTurn={row.gears || row.moves ? () => setTurning(row) : null}
-          />
-        ))}
-      </ul>
+      {SHELVES.map(({ title, holds }) => (
+        <section key={title}>
+          <h3>{title}</h3>
+          <ul class="gallery-grid">
+            {rows?.filter(holds).map((row) => (
+              <GalleryCard
+                key={row.id}
+                row={row}
+                onOpen={() => {
+                  open(row).catch(failed);
+                }}
+                onCopy={() => {
+                  copy(row).catch(failed);
+                }}
+                onTurn={row.gears || row.moves ? () => setTurning(row) : null}
+              />
+            ))}
+          </ul>
+        </section>
+      ))}
     </div>
   );
 }

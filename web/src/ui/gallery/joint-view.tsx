@@ -7,8 +7,8 @@ import { type MotionAnswer, posesAt } from '../../model/motion.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { JointList } from '../checks/joints.tsx';
 import { MotionStudy } from '../checks/motion-study.ts';
-import { solveSketch } from '../share/solved-parts.ts';
-import { type GalleryRow, loadGallerySketch } from './gallery-index.ts';
+import { type SolvedParts, solveSketch } from '../share/solved-parts.ts';
+import { type GalleryRow, loadGallerySketch, loadMade } from './gallery-index.ts';
 import { GalleryView, type GalleryViewProps } from './gallery-view.tsx';
 import { galleryWords as words } from './gallery-words.ts';
 import { MovingPicture } from './moving-picture.tsx';
@@ -42,10 +42,24 @@ function Joints({ moving }: { readonly moving: Moving }) {
 
 async function load(row: GalleryRow, preset: string, catalogue: Catalogue): Promise<Moving> {
   const { sketch } = await loadGallerySketch(row);
-  const { json, parts } = await solveSketch(sketch, { preset, seed: 1 });
+  const { json, parts } =
+    (await madeParts(row, preset)) ?? (await solveSketch(sketch, { preset, seed: 1 }));
   const study = new MotionStudy(json);
   const answer = await study.answer();
   return { parts, study, answer, frame: await sweptPoints(parts, study, answer, catalogue) };
+}
+
+/** The model that comes with the page, if it is one of this preset. */
+async function madeParts(
+  row: GalleryRow,
+  preset: string,
+): Promise<Pick<SolvedParts, 'json' | 'parts'> | null> {
+  const made = row.made ? await loadMade(row).catch(() => null) : null;
+  if (made?.settings.preset !== preset) {
+    return null;
+  }
+  const json = made.modelJson;
+  return { json, parts: (JSON.parse(json) as Pick<SolvedParts, 'parts'>).parts };
 }
 
 /** Corners of all places that the parts come to, so that nothing leaves the picture. */

@@ -3,6 +3,8 @@ import type { Words } from '../language.ts';
 
 export const GALLERY_DE: Words<typeof GALLERY_EN> = {
   intro: 'Jedes Modell hier haben wir gezeichnet, und jedes ist baubar: öffnen, ändern, bauen.',
+  models: 'Modelle',
+  firstSteps: 'Erste Schritte',
   facts: '{beams} Balken · {bricks} Teile · {mass} g',
   moves: 'beweglich',
   copy: 'Link kopieren',

@@ -2,6 +2,8 @@
 
 export const GALLERY_EN = {
   intro: 'Every model here was drawn by us and can be built: open one, change it, build it.',
+  models: 'Models',
+  firstSteps: 'First steps',
   facts: '{beams} beams · {bricks} parts · {mass} g',
   moves: 'moves',
   copy: 'Copy link',
