@@ -61,7 +61,7 @@ export const brickSets = {
         ['cube', laboratory.fileOf(cubeSketch(8))],
         ['flying-kite', gallery('flying-kite')],
         ['chair-front', gallery('chair-front')],
-        ['tower-2d', gallery('tower-2d')],
+        ['tower-2d', gallery('small-tower-2d')],
       ],
       1,
     );

@@ -10,7 +10,7 @@ const SKETCHES = [
   ['cube', 'public/examples/cube.sketch.json'],
   ['long-bow', 'public/gallery/long-bow.sketch.json'],
   ['airplane', 'public/examples/airplane.sketch.json'],
-  ['tower-2d', 'public/gallery/tower-2d.sketch.json'],
+  ['tower-2d', 'public/gallery/small-tower-2d.sketch.json'],
 ];
 const PICTURE = {
   size: { width: 320, height: 240, margin: 12 },

@@ -1,5 +1,8 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { DRAWINGS } from '../../../scripts/drawings/list.mjs';
+import { sketchText } from '../../../scripts/drawings/pen.mjs';
+import papers from '../../../scripts/experiments/papers-sketches.json';
 import { readSketchValue } from '../../../web/src/state/read-sketch.ts';
 
 const FOLDER = new URL('../../../public/gallery/', import.meta.url);
@@ -22,6 +25,27 @@ describe('the gallery', () => {
     expect(ids).toEqual(expect.arrayContaining(['gear-box', 'winch']));
     expect(new Set(ids).size).toBe(ids.length);
   });
+
+  it('has the drawings that programs make as these make them', () => {
+    for (const [name, draw] of Object.entries(DRAWINGS)) {
+      const file = new URL(`${name}.sketch.json`, FOLDER);
+      expect(readFileSync(file, 'utf8'), name).toBe(sketchText(draw()));
+    }
+  });
+
+  // Facts of the public data (lines, and their length in all); the drawings are ours.
+  const compared = Object.entries(papers.sketches).filter(([id]) => id in DRAWINGS);
+  it.each(compared)(
+    'draws %s at least four fifths as rich as the paper',
+    (id, { lines, length }) => {
+      const drawn = DRAWINGS[id]?.().lines ?? [];
+      const lengths = drawn.map(({ from, to }) =>
+        Math.hypot(...from.map((x, i) => x - (to[i] ?? 0))),
+      );
+      expect(drawn.length).toBeGreaterThanOrEqual(0.8 * lines);
+      expect(lengths.reduce((sum, x) => sum + x, 0)).toBeGreaterThanOrEqual(0.8 * length);
+    },
+  );
 
   it('has at least nine models that move', () => {
     expect(models.filter((model) => model.moves).length).toBeGreaterThanOrEqual(9);
