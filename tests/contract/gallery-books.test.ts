@@ -70,7 +70,7 @@ describe.each(models)('$id', (row) => {
     );
     expect(boxes.reduce((sum, count) => sum + count, 0)).toBe(model.parts.length);
     expect(steps.flatMap((step) => step.adds).filter((add) => add.forced)).toEqual([]);
-  }, 60_000);
+  }, 180_000);
 
   it.skipIf(!existsSync(LDRAW))(
     'names only parts and colours that LDraw has',
@@ -88,6 +88,6 @@ describe.each(models)('$id', (row) => {
       const files = new Set(parts.map((fields) => fields.at(-1) ?? ''));
       expect([...files].filter((file) => !existsSync(resolve(LDRAW, 'parts', file)))).toEqual([]);
     },
-    60_000,
+    180_000,
   );
 });

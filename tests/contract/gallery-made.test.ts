@@ -33,7 +33,7 @@ describe.each(ROWS)('the model that comes with the page of $id', (row) => {
   it('is buildable', () => {
     const reply = module.checkModelJson(madeOf(row).modelJson);
     expect(JSON.parse(reply.text)).toMatchObject({ buildable: true, problems: [] });
-  }, 60_000);
+  }, 180_000);
 
   it('is one of its drawing', () => {
     const { sketch } = JSON.parse(madeOf(row).modelJson) as { sketch: unknown };

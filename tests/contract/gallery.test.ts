@@ -62,7 +62,7 @@ describe.each(models.filter(({ moves }) => moves))('joints of $id', (row) => {
         expect(collisionsOf(checked({ ...moved, parts }))).toEqual([]);
       }
     }
-  }, 60_000);
+  }, 180_000);
 });
 
 describe.each(models.filter(({ gears }) => gears))('gears of $id', (row) => {
