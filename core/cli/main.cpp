@@ -91,7 +91,8 @@ CLI::App* addTelling(CLI::App& app,
 std::vector<Verb> addVerbs(CLI::App& app,
                            liftarm::cli::SolveOptions& options,
                            OtherOptions& other) {
-  CLI::App* check = app.add_subcommand("check", "Repeat every check on a model file (DESIGN 5)");
+  CLI::App* check =
+      app.add_subcommand("check", "Repeat every check on a model file (docs/design.md, 5)");
   check->add_option("MODEL", other.modelPath, "Model file (NAME.model.json)")->required();
   check->add_flag("--json", other.json, "Print the answer as one JSON object");
   CLI::App* stress = app.add_subcommand(

@@ -12,8 +12,8 @@ using lattice::Axis;
 
 constexpr int kMaxSweeps = 30;
 constexpr double kSame = 1e-9;
-// The paper's 2000 to 0.01 is a random walk nearly all the way: costs differ by about one (FINDINGS
-// 4).
+// The paper's 2000 to 0.01 is a random walk nearly all the way: costs differ by about one (DESIGN
+// 7).
 constexpr double kFirstTemperature = 1.5;
 constexpr double kLastTemperature = 0.1;
 constexpr double kCooling = 0.75;

@@ -11,7 +11,7 @@ namespace liftarm::guide {
 using Orientation = std::vector<lattice::Axis>;
 
 //! \brief What stage one minimises: at each junction the number of different hole axes less one
-//! (adjacent node pairs that differ, paper 5.1). The fewest beams that cover the runs (FINDINGS 3)
+//! (adjacent node pairs that differ, paper 5.1). The fewest beams that cover the runs (DESIGN 7)
 //! are the same for all: where a mechanism may bridge an edge does not depend on the axes chosen.
 double orientationCost(const GuidingGraph& graph, const Orientation& orientation);
 

@@ -20,7 +20,7 @@ struct Tallies {
   int holes = 0;         //!< total length, in holes (paper 4.3, sum of L)
   int layerSquares = 0;  //!< sum of holes times layer squared (paper 4.3, F_dev)
   int overhang = 0;      //!< beam ends past the end of their run
-  int hinges = 0;        //!< beams in line that share one hole only (FINDINGS 5)
+  int hinges = 0;        //!< beams in line that share one hole only (DESIGN 7)
   int collisions = 0;    //!< pairs of beams that interpenetrate
   //! Holes below the ground, in a keep-out box or off an exact line, and beams in line that overlap
   //! where they have no hole in common.

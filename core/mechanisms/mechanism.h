@@ -49,7 +49,7 @@ struct CompositionOptions {
 //! \brief All assemblies of up to maxParts connecting parts with at least two free heads, all of
 //! them pin heads or heads of an axle between stops (its collar, or parts with an axle hole), one
 //! for each shape up to rotation; of two with the same heads only the one whose body is not
-//! contained in the other's stays (paper 4.1 by program instead of by study; FINDINGS 1).
+//! contained in the other's stays (paper 4.1 by program instead of by study).
 std::vector<Mechanism> composeMechanisms(const parts::Catalogue& catalogue,
                                          const CompositionOptions& options);
 

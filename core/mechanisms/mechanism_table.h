@@ -22,8 +22,8 @@ struct TableEntry {
   std::int32_t headB = -1;
 };
 
-//! \brief All oriented mechanisms, found by the relative place and axes of two holes (FINDINGS 1,
-//! 6).
+//! \brief All oriented mechanisms, found by the relative place and axes of two holes
+//! (DESIGN 6).
 class MechanismTable {
  public:
   //! \brief Holes farther apart than this along any axis are not joined.

@@ -3,7 +3,7 @@
 namespace liftarm::objective {
 
 double pinHeadRatio(const Measures& m) {
-  // No connection at all counts as perfect, or leaving beams unjoined would pay (FINDINGS 4).
+  // No connection at all counts as perfect, or leaving beams unjoined would pay (DESIGN 7).
   if (m.tallies.mechanisms == 0) {
     return 0.0;
   }

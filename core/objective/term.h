@@ -42,7 +42,7 @@ double beamCount(const Measures& m);
 double holeCount(const Measures& m);
 double layerOffsets(const Measures& m);    //!< holes times layer squared
 double overhang(const Measures& m);        //!< beam ends past their line
-double hinges(const Measures& m);          //!< joints in line on one hole (FINDINGS 5)
+double hinges(const Measures& m);          //!< joints in line on one hole (DESIGN 7)
 double connectionCost(const Measures& m);  //!< connecting parts, and a little for their body
 double violations(const Measures& m);      //!< all hard conditions broken
 

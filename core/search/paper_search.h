@@ -39,7 +39,7 @@ double paperCoolingRate(const layout::LayoutProblem& problem, const PaperOptions
 //! 4.3. For comparison with the default; on our data structures, mechanisms and connection
 //! procedure.
 //!
-//! Readings (DESIGN 7, FINDINGS 4) where the paper is silent or cannot be meant as printed:
+//! Readings (DESIGN 7) where the paper is silent or cannot be meant as printed:
 //! - Algorithm 1 minimises; the best layout is kept by (violations, objective), and anew from the
 //!   moment the full objective is used.
 //! - gap(v) is the range plus 1 less the number of different layers, over all nodes with beams.

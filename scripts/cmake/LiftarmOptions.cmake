@@ -1,4 +1,4 @@
-# Flags of all our code (STYLE 4.3, 5.8), as one interface target.
+# Flags of all our code, as one interface target.
 
 add_library(liftarm_options INTERFACE)
 target_include_directories(liftarm_options INTERFACE "$<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/core>"

@@ -95,9 +95,9 @@ TEST(Composition, FindsTheTwoUniversalCrossesOfLongPinAndPinWithHole) {
   EXPECT_EQ(counts.at("6558+87082 4/5"), 2);
 }
 
-TEST(Composition, FindsTheTwentyTwoMechanismsOfTheFindings) {
-  // FINDINGS 1 counts 22 of at most two parts; 87082 in the hole of 48989 was beyond its limit of
-  // cells.
+TEST(Composition, FindsTheTwentyTwoMechanismsThatWereFoundByHand) {
+  // An enumeration apart from this code counts 22 of at most two parts and seven cells; 87082 in
+  // the hole of 48989 has more cells.
   std::map<std::string, int> counts = inventory(compose(2));
   EXPECT_EQ(counts["87082+48989 5/9"] + counts["48989+87082 5/9"], 4);
   counts.erase("87082+48989 5/9");
