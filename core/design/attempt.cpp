@@ -298,8 +298,10 @@ void Attempts::goOn() {
   }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
+  // One freedom fewer is no reason to be lopsided where something moves all the same: the value
+  // has what freedoms cost.
   const auto rank = [](const Attempt& attempt) {
-    return std::pair(attempt.search->best().freedoms, attempt.value);
+    return std::pair(attempt.search->best().freedoms > 0, attempt.value);
   };
   if (isWhole(current_->search->best()) && (best_ == nullptr || rank(*current_) < rank(*best_))) {
     improvementsBefore_ += best_ == nullptr ? 0 : 1;

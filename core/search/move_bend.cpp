@@ -41,7 +41,8 @@ std::optional<lattice::Axis> bendAxis(const SearchState& state, int run, int mat
 
 //! One of the bent beams that fit beside the arms that two runs have already: mostly one of those
 //! that leave the fewest beams beside it.
-std::optional<layout::Bend> pickBend(SearchState& state, int run, int mate, int layer) {
+std::optional<layout::Bend> pickBend(
+    SearchState& state, int run, int mate, lattice::Axis axis, int layer) {
   const guide::GuidingGraph& graph = state.graph();
   const std::vector<Beam> fixed = layout::armsOf(state.coverOf(run));
   const std::vector<Beam> mateFixed = layout::armsOf(state.coverOf(mate));
@@ -51,6 +52,7 @@ std::optional<layout::Bend> pickBend(SearchState& state, int run, int mate, int 
   }
   const int edges = graph.runs[at(run)].edgeCount();
   const int mateEdges = graph.runs[at(mate)].edgeCount();
+  const OrbitCovers& orbits = state.covering().orbits();
   const bool cheapest = state.rng().unit() < kTuning.moves.cheapBend;
   double least = std::numeric_limits<double>::max();
   std::size_t kept = 0;
@@ -58,7 +60,8 @@ std::optional<layout::Bend> pickBend(SearchState& state, int run, int mate, int 
     const layout::Bend bend = bends[i];
     const double rest =
         cheapest ? beamsBeside(bend.arm, edges) + beamsBeside(bend.mateArm, mateEdges) : 0.0;
-    if (rest > least || meetsAny(bend.arm, fixed) || meetsAny(bend.mateArm, mateFixed)) {
+    if (rest > least || meetsAny(bend.arm, fixed) || meetsAny(bend.mateArm, mateFixed) ||
+        !orbits.hasRoom(run, axis, bend.arm) || !orbits.hasRoom(mate, axis, bend.mateArm)) {
       continue;
     }
     kept = rest < least ? 0 : kept;
@@ -97,7 +100,7 @@ bool layBend(SearchState& state, const MoveContext& context) {
   if (!state.covering().orbits().mayBend(run, mate, axis, layer)) {
     return false;
   }
-  const std::optional<layout::Bend> bend = pickBend(state, run, mate, layer);
+  const std::optional<layout::Bend> bend = pickBend(state, run, mate, axis, layer);
   if (!bend) {
     return false;
   }

@@ -41,28 +41,6 @@ int beamsAround(const Beam& middle) {
          2 * ((side + guide::kLongestBeam - 1) / guide::kLongestBeam);
 }
 
-//! One half of a cover, its middle, and the half anew from the other end; nothing where the two
-//! beams beside the middle would meet.
-std::optional<Cover> mirroredAbout(const Beam& middle, const Cover& cover, int edges, int sign) {
-  Cover mirrored{cover.axis, {}};
-  for (const Beam& beam : cover.beams) {
-    if (beam == middle) {
-      break;
-    }
-    mirrored.beams.push_back(beam);
-  }
-  const std::size_t half = mirrored.beams.size();
-  if (half > 0 && sign > 0 && 2 * mirrored.beams.back().last() >= edges) {
-    return std::nullopt;
-  }
-  mirrored.beams.push_back(middle);
-  for (std::size_t i = half; i > 0; --i) {
-    const Beam beam = mirrored.beams[i - 1];
-    mirrored.beams.push_back({edges - beam.last(), beam.holes, beam.layer * sign, -1});
-  }
-  return mirrored;
-}
-
 }  // namespace
 
 OrbitCovers::OrbitCovers(const layout::LayoutProblem& problem, std::vector<int> lengths)
@@ -115,19 +93,32 @@ bool OrbitCovers::mayBend(int run, int mate, lattice::Axis axis, int layer) cons
   }
   for (const auto& [one, other] : {std::pair(run, mate), std::pair(mate, run)}) {
     const guide::SelfBinding self = orbits_.binding(one, axis);
-    if (!orbits_.allows(one, axis) || self.centred || (self.pinned && layer != 0)) {
+    if (!orbits_.allows(one, axis) || (self.pinned && layer != 0)) {
       return false;
     }
     for (const guide::RunImage& image : orbits_.images(one)) {
-      const std::optional<int> mapped = imageOfMate(one, image, other);
-      // A bent beam whose arms change places, or that shares a run with its image, is left out.
-      if (!mapped || image.run == other || *mapped == one || image.lifts != kNoLifts ||
-          (image.run == one) != (*mapped == other)) {
+      if (!mayBendUnder(image, one, other, axis)) {
         return false;
       }
     }
   }
   return true;
+}
+
+bool OrbitCovers::mayBendUnder(const guide::RunImage& image,
+                               int run,
+                               int mate,
+                               lattice::Axis axis) const {
+  const std::optional<int> mapped = imageOfMate(run, image, mate);
+  // A bent beam whose arms change places is left out.
+  if (!mapped || image.run == mate || *mapped == run || image.lifts != kNoLifts) {
+    return false;
+  }
+  if (image.run == run) {
+    return image.reversed != (*mapped == mate);
+  }
+  // Both have their arm on the mate: at its two ends.
+  return *mapped != mate || orbits_.binding(mate, axis).centred;
 }
 
 int OrbitCovers::farthestLift(int run, lattice::Axis axis) const {
@@ -176,6 +167,108 @@ Beam OrbitCovers::middleBeam(int run,
   return middle;
 }
 
+//! The beam across the middle of a run that has bent beams at both ends: on the layer next to
+//! theirs, where it can be pinned to them. \param arm The one nearest to the middle.
+Beam OrbitCovers::middleBetween(int run,
+                                const Beam& arm,
+                                const guide::SelfBinding& binding,
+                                base::Rng* rng) const {
+  const guide::GuideRun& guideRun = problem_->graph.runs[at(run)];
+  const int edges = guideRun.edgeCount();
+  std::vector<Beam> middles;
+  for (const int holes : lengths_) {
+    const int start = (edges + 1 - holes) / 2;
+    if ((edges + 1 - holes) % 2 == 0 && start > arm.start && start <= arm.last()) {
+      middles.push_back({start, holes, 0, -1});
+    }
+  }
+  if (middles.empty()) {
+    return {0, 0, 0, -1};
+  }
+  Beam middle = middles[rng->below(static_cast<std::uint32_t>(middles.size()))];
+  const bool line = binding.pinned || binding.sign < 0 || guideRun.exact;
+  middle.layer = arm.layer + (rng->below(2) == 0 ? 1 : -1);
+  middle.layer = line ? 0 : std::clamp(middle.layer, -guide::kMaxLayer, guide::kMaxLayer);
+  return middle;
+}
+
+//! What a mirror that cuts a run in half makes of a beam of it; nothing where the other run of a
+//! bent beam has no image there.
+std::optional<Beam> OrbitCovers::reversed(int run, lattice::Axis axis, const Beam& beam) const {
+  const int edges = problem_->graph.runs[at(run)].edgeCount();
+  Beam image{edges - beam.last(), beam.holes, beam.layer * orbits_.binding(run, axis).sign};
+  image.form = beam.form;
+  image.tail = -beam.tail;
+  if (beam.mate < 0) {
+    return image;
+  }
+  for (const guide::RunImage& map : orbits_.images(run)) {
+    if (map.run == run && map.reversed) {
+      const std::optional<int> mate = imageOfMate(run, map, beam.mate);
+      image.mate = mate.value_or(-1);
+      return mate ? std::optional(image) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+bool OrbitCovers::hasRoom(int run, lattice::Axis axis, const Beam& arm) const {
+  if (!active() || !orbits_.binding(run, axis).centred) {
+    return true;
+  }
+  const int edges = problem_->graph.runs[at(run)].edgeCount();
+  return 2 * arm.solidLast() < edges || 2 * arm.solidStart() > edges;
+}
+
+//! The arms that must lie in the first half of a run that a mirror cuts in half, by their start.
+//! Nothing where one meets its own image.
+std::optional<std::vector<Beam>> OrbitCovers::armsOfHalf(int run,
+                                                         lattice::Axis axis,
+                                                         std::span<const Beam> fixed) const {
+  const int edges = problem_->graph.runs[at(run)].edgeCount();
+  std::vector<Beam> arms;
+  for (const Beam& arm : fixed) {
+    const bool far = 2 * arm.solidStart() > edges;
+    const std::optional<Beam> folded = far ? reversed(run, axis, arm) : std::optional(arm);
+    if (!folded || !hasRoom(run, axis, *folded)) {
+      return std::nullopt;
+    }
+    if (std::find(arms.begin(), arms.end(), *folded) == arms.end()) {
+      arms.push_back(*folded);
+    }
+  }
+  std::sort(
+      arms.begin(), arms.end(), [](const Beam& a, const Beam& b) { return a.start < b.start; });
+  return arms;
+}
+
+//! One half of a cover, its middle, and the half anew from the other end; nothing where the two
+//! beams beside the middle would meet.
+std::optional<Cover> OrbitCovers::unfolded(int run, const Beam& middle, const Cover& cover) const {
+  const int edges = problem_->graph.runs[at(run)].edgeCount();
+  Cover mirrored{cover.axis, {}};
+  for (const Beam& beam : cover.beams) {
+    if (beam == middle) {
+      break;
+    }
+    mirrored.beams.push_back(beam);
+  }
+  const std::size_t half = mirrored.beams.size();
+  if (half > 0 && orbits_.binding(run, cover.axis).sign > 0 &&
+      2 * mirrored.beams.back().last() >= edges) {
+    return std::nullopt;
+  }
+  mirrored.beams.push_back(middle);
+  for (std::size_t i = half; i > 0; --i) {
+    const std::optional<Beam> image = reversed(run, cover.axis, mirrored.beams[i - 1]);
+    if (!image) {
+      return std::nullopt;
+    }
+    mirrored.beams.push_back(*image);
+  }
+  return mirrored;
+}
+
 std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
                                           layout::Layout* layout,
                                           CoverRequest request,
@@ -191,16 +284,36 @@ std::optional<Cover> OrbitCovers::propose(RunCoverer* coverer,
   if (!binding.centred) {
     return coverer->propose(*layout, request, rng);
   }
-  const Beam middle = middleBeam(run, binding, reach, rng);
+  std::optional<std::vector<Beam>> half = armsOfHalf(run, request.axis, request.fixed);
+  if (!half) {
+    return std::nullopt;
+  }
+  const Beam middle = half->empty() ? middleBeam(run, binding, reach, rng)
+                                    : middleBetween(run, half->back(), binding, rng);
   if (middle.holes == 0) {
     return std::nullopt;
   }
-  request.fixed = {&middle, 1};
+  half->push_back(middle);
+  request.fixed = *half;
   const std::optional<Cover> cover = coverer->propose(*layout, request, rng);
-  if (!cover) {
-    return std::nullopt;
+  return cover ? unfolded(run, middle, *cover) : std::nullopt;
+}
+
+void OrbitCovers::release(int run, const std::vector<Cover>& covers) {
+  orbits_.release(run);
+  // A bent beam has images only where both its runs have.
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t r = 0; r < covers.size(); ++r) {
+      const std::vector<Beam>& beams = covers[r].beams;
+      if (binds(static_cast<int>(r)) && std::any_of(beams.begin(), beams.end(), [&](const Beam& b) {
+            return b.mate >= 0 && !binds(b.mate);
+          })) {
+        orbits_.release(static_cast<int>(r));
+        changed = true;
+      }
+    }
   }
-  return mirroredAbout(middle, *cover, problem_->graph.runs[at(run)].edgeCount(), binding.sign);
 }
 
 void OrbitCovers::releaseAt(int junction) {

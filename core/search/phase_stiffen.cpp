@@ -74,7 +74,7 @@ void Stiffening::releaseLooseRuns() {
   }
   for (const int run : options.looseRuns()) {
     if (orbits.binds(run)) {
-      orbits.release(run);
+      orbits.release(run, bestOfStart().covers);
     }
   }
 }
