@@ -9,6 +9,7 @@
 #include "design/looseness.h"
 #include "layout/stack.h"
 #include "objective/mobility.h"
+#include "objective/objective.h"
 #include "rivals/rivals.h"
 #include "search/annealer.h"
 #include "search/cover_bound.h"
@@ -23,6 +24,7 @@ constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
 constexpr double kManyBeams = 1.3;          // of the fewest: then a layout without mirrors is tried
 constexpr double kWorthOfSymmetry = 0.25;   // of the objective, of a whole model ...
 constexpr double kWorthOfAlikeness = 0.15;  // ... and of a part of it
+constexpr double kWorthOfFreedom = 20.0;    // two beams, where something moves all the same
 constexpr double kAlike = 1.0 - 1e-9;
 constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen: more find nothing
 constexpr std::uint32_t kFreeingRounds = 9;
@@ -117,6 +119,7 @@ struct Attempts::Attempt {
   Wishes wishes;
   double value = 0.0;  // of its best layout, with what being symmetric is worth taken off
   bool alike = false;  // whether that layout is symmetric
+  int freedoms = 0;    // of that layout, also where the search ended before it asked
   layout::ConnectionSolver solver;
   layout::LayoutProblem problem;
   objective::Mobility mobility;
@@ -255,13 +258,24 @@ void Attempts::planMoreSeeds() {
   }
 }
 
-//! What a layout that has ended is worth beside others.
+//! What a layout that has ended is worth beside others. Its own energy has freedoms at what they
+//! cost in the round that found it.
 void Attempts::judge(Attempt* attempt) const {
   const search::LayoutSnapshot& layout = attempt->search->best();
   const double share = alikeness(attempt->problem, layout, symmetries_);
   attempt->alike = share > kAlike;
   const double worth = attempt->alike ? kWorthOfSymmetry : kWorthOfAlikeness * share;
-  attempt->value = (1.0 - worth) * layout.energy;
+  attempt->freedoms = layout.freedoms;
+  if (objective::isRigid(settings_->preset) && !isPaperFamily(settings_->method) &&
+      isWhole(layout)) {
+    attempt->freedoms = std::max(attempt->freedoms,
+                                 attempt->mobility.count(layout.covers, layout.junctions));
+  }
+  objective::Measures measures;
+  measures.tallies = layout.tallies;
+  measures.scale = objective::scaleOf(attempt->problem.graph);
+  attempt->value = (1.0 - worth) * objective::value(measures, settings_->annealing.weights) +
+                   kWorthOfFreedom * attempt->freedoms;
 }
 
 //! Whether a layout need not be compared with others.
@@ -274,7 +288,7 @@ bool Attempts::isGoodEnough(const Attempt& attempt) const {
     return true;
   }
   const int bound = search::coverLowerBound(coversInUse(attempt.problem, *settings_));
-  return layout.freedoms == 0 && (attempt.alike || attempt.wishes.mostly) &&
+  return attempt.freedoms == 0 && (attempt.alike || attempt.wishes.mostly) &&
          static_cast<double>(layout.tallies.beams + layout.tallies.axles) <=
              kManyBeams * static_cast<double>(bound);
 }
@@ -298,10 +312,9 @@ void Attempts::goOn() {
   }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
-  // One freedom fewer is no reason to be lopsided where something moves all the same: the value
-  // has what freedoms cost.
+  // One freedom fewer is no reason to be lopsided where something moves all the same.
   const auto rank = [](const Attempt& attempt) {
-    return std::pair(attempt.search->best().freedoms > 0, attempt.value);
+    return std::pair(attempt.freedoms > 0, attempt.value);
   };
   if (isWhole(current_->search->best()) && (best_ == nullptr || rank(*current_) < rank(*best_))) {
     improvementsBefore_ += best_ == nullptr ? 0 : 1;
@@ -353,6 +366,10 @@ const search::LayoutSearch& Attempts::search() const {
 
 const layout::LayoutProblem& Attempts::problem() const {
   return shown().problem;
+}
+
+int Attempts::freedoms() const {
+  return shown().freedoms;
 }
 
 //! While another layout is looked for, the best one is what there is.

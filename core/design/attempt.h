@@ -72,6 +72,10 @@ class Attempts {
 
   [[nodiscard]] const layout::LayoutProblem& problem() const;
 
+  //! \brief Of the best of the searches that have ended: how many ways it can move beyond the
+  //! joints, also where that search ended before it asked. 0 for presets that do not ask.
+  [[nodiscard]] int freedoms() const;
+
   //! \brief The place that no layout was found for, where that is why there is none.
   [[nodiscard]] const std::optional<CrowdedPlace>& crowded() const { return crowded_; }
 

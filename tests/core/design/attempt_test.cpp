@@ -111,6 +111,25 @@ TEST(Attempts, ABalancedCubeStandsOnTheDrawingsLowestPlane) {
       0);
 }
 
+TEST(Attempts, KnowWhatMovesInALayoutWhoseSearchWasCutOffBeforeItAsked) {
+  const sketch::Sketch sketch = testing::squareSketch(8);
+  int loose = 0;
+  for (const double work : {1e5, 1e6, 1e7}) {
+    Settings settings = settingsFrom("");
+    settings.annealing.mostWork = work;
+    Attempts attempts(sketch, settings);
+    while (!attempts.advance(1000)) {
+    }
+    const search::LayoutSnapshot& best = attempts.search().best();
+    if (isWhole(best)) {
+      objective::Mobility mobility(attempts.problem(), attempts.table());
+      EXPECT_EQ(attempts.freedoms(), mobility.count(best.covers, best.junctions)) << work;
+      loose += attempts.freedoms() > 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(loose, 0);  // else nothing was cut off
+}
+
 TEST(Attempts, GivesAWishUpWhereNoLayoutGrantsIt) {
   // A line below the ground that the person's keep-out box leaves no room for above it.
   sketch::Sketch sketch = testing::squareSketch(8);

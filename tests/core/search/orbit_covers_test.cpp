@@ -1,11 +1,13 @@
 #include "search/orbit_covers.h"
 
-#include <algorithm>
+#include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/helpers/frame_sketches.h"
 #include "core/helpers/layouts.h"
+#include "layout/bent_beam.h"
 
 namespace liftarm::search {
 namespace {
