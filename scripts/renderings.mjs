@@ -83,7 +83,9 @@ function section({ id, file, hurts }, reports) {
     `| | ${SIDES.map(({ title }) => title).join(' | ')} |`,
     '| --- | --- | --- |',
     `| | ${pictures.join(' | ')} |`,
-    ...ROWS.map(([title, of]) => `| ${title} | ${reports.map((r, i) => of(r, figures[i])).join(' | ')} |`),
+    ...ROWS.map(
+      ([title, of]) => `| ${title} | ${reports.map((r, i) => of(r, figures[i])).join(' | ')} |`,
+    ),
     '',
     ...(hurts ? [`What still hurts: ${hurts}`, ''] : []),
   ];

@@ -268,8 +268,8 @@ void Attempts::judge(Attempt* attempt) const {
   attempt->freedoms = layout.freedoms;
   if (objective::isRigid(settings_->preset) && !isPaperFamily(settings_->method) &&
       isWhole(layout)) {
-    attempt->freedoms = std::max(attempt->freedoms,
-                                 attempt->mobility.count(layout.covers, layout.junctions));
+    attempt->freedoms =
+        std::max(attempt->freedoms, attempt->mobility.count(layout.covers, layout.junctions));
   }
   objective::Measures measures;
   measures.tallies = layout.tallies;

@@ -27,7 +27,7 @@ class OrbitCovers {
   void place(layout::Layout* layout, int run, const layout::Cover& cover) const;
 
   //! \brief Clears a run and its images, and covers the run with what may be carried to them.
-  //! Arms of bent beams that the request fixes lie at both ends of a run that a mirror cuts in half.
+  //! Arms of bent beams that the request fixes lie at both ends of a run that a mirror halves.
   //! \return Nothing when there is no such cover; the layout is then cleared there.
   std::optional<layout::Cover> propose(RunCoverer* coverer,
                                        layout::Layout* layout,
@@ -38,8 +38,8 @@ class OrbitCovers {
   //! mirror cuts in half it lies at both ends.
   [[nodiscard]] bool mayBend(int run, int mate, lattice::Axis axis, int layer) const;
 
-  //! \brief Whether an arm of a bent beam does not meet its own image on a run that a mirror cuts in
-  //! half.
+  //! \brief Whether an arm of a bent beam does not meet its own image on a run that a mirror
+  //! cuts in half.
   [[nodiscard]] bool hasRoom(int run, lattice::Axis axis, const layout::Beam& arm) const;
 
   //! \brief How many layers further than a run its images lie at most.
