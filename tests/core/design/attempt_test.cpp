@@ -114,8 +114,8 @@ TEST(Attempts, ABalancedCubeStandsOnTheDrawingsLowestPlane) {
 TEST(Attempts, KnowWhatMovesInALayoutWhoseSearchWasCutOffBeforeItAsked) {
   const sketch::Sketch sketch = testing::squareSketch(8);
   int loose = 0;
-  for (const double work : {1e5, 1e6, 1e7}) {
-    Settings settings = settingsFrom("");
+  for (double work = 1e4; work < 2e7; work *= 2.0) {
+    Settings settings = settingsFrom(R"({"set": {"symmetric": 0, "standing": 0}})");
     settings.annealing.mostWork = work;
     Attempts attempts(sketch, settings);
     while (!attempts.advance(1000)) {
