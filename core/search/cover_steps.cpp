@@ -17,12 +17,20 @@ bool contains(const std::vector<int>& list, int value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-//! The beams of a cover that are no arms, and the arms whose other one is not on `mate`.
-std::vector<Beam> withoutMate(const std::vector<Beam>& beams, int mate) {
+//! The beams of a run without the arms of bent beams whose other arm has gone: where a symmetry
+//! binds runs, that of the image goes with it.
+std::vector<Beam> withoutLoneArms(const SearchState& state, int run) {
   std::vector<Beam> rest;
-  std::copy_if(beams.begin(), beams.end(), std::back_inserter(rest), [&](const Beam& beam) {
-    return !beam.isArm() || beam.mate != mate;
-  });
+  for (const Beam& beam : state.coverOf(run).beams) {
+    const bool bent = beam.mate >= 0 && beam.site < 0;
+    const std::vector<Beam> others =
+        bent ? layout::armsOf(state.coverOf(beam.mate)) : std::vector<Beam>{};
+    const bool whole = std::any_of(
+        others.begin(), others.end(), [&](const Beam& other) { return other.mate == run; });
+    if (!bent || whole) {
+      rest.push_back(beam);
+    }
+  }
   return rest;
 }
 
@@ -90,8 +98,7 @@ bool straighten(SearchState& state, int run, const Manner& manner) {
       changed = takeFrameOff(state, run, arm.site, manner) || changed;
       continue;
     }
-    const Cover& cover = state.coverOf(arm.mate);
-    const Cover mate{cover.axis, withoutMate(cover.beams, run)};
+    const Cover mate{state.coverOf(arm.mate).axis, withoutLoneArms(state, arm.mate)};
     const std::vector<Beam> kept = layout::armsOf(mate);
     state.place(arm.mate, mate);
     changed = coverRun(state, arm.mate, mate.axis, manner, kept) || changed;

@@ -117,8 +117,10 @@ bool OrbitCovers::mayBendUnder(const guide::RunImage& image,
   if (image.run == run) {
     return image.reversed != (*mapped == mate);
   }
-  // Both have their arm on the mate: at its two ends.
-  return *mapped != mate || orbits_.binding(mate, axis).centred;
+  // Where both have an arm on the mate, these lie at its two ends.
+  return *mapped != mate || (orbits_.binding(mate, axis).centred &&
+                             layout::cornerIndex(problem_->graph, mate, image.run) !=
+                                 layout::cornerIndex(problem_->graph, mate, run));
 }
 
 int OrbitCovers::farthestLift(int run, lattice::Axis axis) const {

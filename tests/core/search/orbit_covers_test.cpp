@@ -8,6 +8,8 @@
 #include "core/helpers/frame_sketches.h"
 #include "core/helpers/layouts.h"
 #include "layout/bent_beam.h"
+#include "search/cover_steps.h"
+#include "search/search_state.h"
 
 namespace liftarm::search {
 namespace {
@@ -114,6 +116,16 @@ TEST_F(MirroredRectangle, FreesBothRunsOfABentBeam) {
   EXPECT_FALSE(covers_.binds(left_));
   EXPECT_FALSE(covers_.binds(right_));
   EXPECT_FALSE(covers_.binds(base_));
+}
+
+TEST_F(MirroredRectangle, LosesBothImagesOfABentBeamThatIsTakenOff) {
+  SearchState state(bench_.problem, bench_.solver, {});
+  state.place(left_, {Axis::kZ, {mateArm_, {4, 3, 1}}});
+  state.place(base_, propose({arm_}).value());
+  straighten(state, left_, {});
+  for (const int run : {base_, left_, right_}) {
+    EXPECT_FALSE(layout::hasArms(state.coverOf(run))) << run;
+  }
 }
 
 }  // namespace
