@@ -22,8 +22,8 @@ using base::Status;
 using nlohmann::json;
 
 constexpr double kMaxWeight = 1e6;
-// Of all searches for a balanced model: what a search counts leaves out how it asks for freedoms, a
-// quarter of its time. With it this is under ten seconds on a machine of 2024.
+// Of all searches for a balanced model. What is counted leaves out how freedoms are asked for, so
+// this is less than elsewhere, for about the same time.
 constexpr double kMostBalancedWork = 6e9;
 
 //! One number that a person may set, its limits and where it goes.
