@@ -1,11 +1,14 @@
-import { useState } from 'preact/hooks';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { JointRange, MotionAnswer } from '../../model/motion.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
+import { type Driver, MotionBoard } from '../motion/motion-board.ts';
+import { Transport } from '../motion/transport.tsx';
 import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
-import { MotionPlayer, useSceneDisplay } from './motion-player.tsx';
+import { useSceneDisplay } from './motion-player.tsx';
 import { answerOf, motionStatus } from './motion-status.ts';
-import { type MotionStudy, motionStudyOf } from './motion-study.ts';
+import { type MotionStudy, type Mover, motionStudyOf } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
 import './motion.css';
 import { inWords } from '../text/sentences.ts';
@@ -53,41 +56,87 @@ function JointsCheck({ shown }: CheckProps) {
   return <JointList joints={answer.joints} study={motionStudyOf(shown)} onDisplay={onDisplay} />;
 }
 
-/** The joints with their ranges; the one that is open can be turned. */
+/** The joints with their ranges; those that are chosen can be turned. */
 export function JointList(props: {
   readonly joints: readonly JointRange[];
   readonly study: MotionStudy;
   readonly onDisplay: (display: PartDisplay | null) => void;
 }) {
   const { joints, study, onDisplay } = props;
+  const board = useMemo(() => new MotionBoard(study), [study]);
   const [open, setOpen] = useState(0);
+  const [note, setNote] = useState('');
+  const chosen = joints[open];
+  useEffect(() => {
+    setNote('');
+    if (chosen?.turns) {
+      void board.choose(moverOf(chosen), chosen);
+    }
+  }, [board, chosen]);
   if (joints.length === 0) {
     return <p class="quiet">{words.aboutNoJoints}</p>;
   }
+  const toggle = async (joint: JointRange) => {
+    const done = await board.toggle(moverOf(joint), joint);
+    setNote(done === 'not together' ? words.notTogether(nameOf(joint)) : '');
+  };
   return (
-    <ul class="motion-list">
-      {joints.map((joint) => (
-        <li key={joint.index}>
-          <button
-            type="button"
-            class="button"
-            aria-pressed={open === joint.index}
-            onClick={() => setOpen(joint.index)}
-          >
-            {nameOf(joint)}
-          </button>{' '}
-          <span class="quiet">{rangeText(joint)}</span>
-          {joint.turns ? null : <p class="quiet">{inWords(joint.message)}</p>}
-          {open === joint.index && joint.turns ? (
-            <MotionPlayer
-              study={study}
-              mover={{ of: 'joint', index: joint.index }}
-              range={joint}
-              onDisplay={onDisplay}
-            />
-          ) : null}
-        </li>
-      ))}
-    </ul>
+    <>
+      <ul class="motion-list">
+        {joints.map((joint, i) => (
+          <JointRow key={joint.index} joint={joint} open={open === i} onOpen={() => setOpen(i)}>
+            {open !== i && joint.turns && chosen?.turns ? (
+              <label class="motion-too">
+                <input
+                  type="checkbox"
+                  checked={board.drives(moverOf(joint))}
+                  onChange={() => void toggle(joint)}
+                />{' '}
+                {words.too}
+                <span class="visually-hidden"> {nameOf(joint)}</span>
+              </label>
+            ) : null}
+          </JointRow>
+        ))}
+      </ul>
+      <p class={note ? 'quiet' : 'visually-hidden'} role="status">
+        {note}
+      </p>
+      {chosen?.turns ? (
+        <Transport
+          board={board}
+          nameOf={(driver) => nameIn(joints, driver)}
+          onDisplay={onDisplay}
+        />
+      ) : null}
+    </>
   );
+}
+
+function JointRow(props: {
+  readonly joint: JointRange;
+  readonly open: boolean;
+  readonly onOpen: () => void;
+  readonly children: ComponentChildren;
+}) {
+  const { joint, open, onOpen, children } = props;
+  return (
+    <li>
+      <button type="button" class="button" aria-pressed={open} onClick={onOpen}>
+        {nameOf(joint)}
+      </button>{' '}
+      <span class="quiet">{rangeText(joint)}</span>
+      {children}
+      {joint.turns ? null : <p class="quiet">{inWords(joint.message)}</p>}
+    </li>
+  );
+}
+
+function moverOf({ index }: JointRange): Mover {
+  return { of: 'joint', index };
+}
+
+function nameIn(joints: readonly JointRange[], { mover }: Driver): string {
+  const joint = joints.find(({ index }) => index === mover.index);
+  return joint ? nameOf(joint) : '';
 }

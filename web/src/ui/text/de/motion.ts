@@ -26,6 +26,13 @@ export const MOTION_DE: Words<typeof MOTION_EN> = {
   fullTurn: 'ganz herum',
   range: (from: string, to: string) => `${from}° bis ${to}°`,
   angle: 'Winkel',
+  angleOf: (name: string) => `Winkel, ${name}`,
+  loop: 'Immer rundherum',
+  aboutLoop: 'Wo eine ganze Drehung frei ist; sonst hin und her',
+  speed: 'Tempo',
+  too: 'auch',
+  notTogether: (name: string) =>
+    `${name} lässt sich nicht neben dem bewegen, was sich schon bewegt: beide hängen zusammen.`,
   play: 'Abspielen',
   pause: 'Anhalten',
   meets: 'Die markierten Teile halten es hier auf.',

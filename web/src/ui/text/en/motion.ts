@@ -23,6 +23,13 @@ export const MOTION_EN = {
   fullTurn: 'all the way round',
   range: (from: string, to: string) => `${from}° to ${to}°`,
   angle: 'Angle',
+  angleOf: (name: string) => `Angle, ${name}`,
+  loop: 'Round and round',
+  aboutLoop: 'Where a full turn is free; otherwise there and back',
+  speed: 'Speed',
+  too: 'too',
+  notTogether: (name: string) =>
+    `${name} cannot be driven beside what moves now: they hang together.`,
   play: 'Play',
   pause: 'Pause',
   meets: 'The marked parts stop it here.',
