@@ -51,3 +51,29 @@ test('a bad sketch is refused and the worker goes on', async () => {
     'solved',
   ]);
 });
+
+test('whether a search can begin is told without one', async () => {
+  const { core, replies } = realWorker();
+  const at = [0, 0, 0];
+  const lines = [
+    { from: [-6, 0, 0], to: at },
+    { from: at, to: [6, 0, 0] },
+  ];
+  const sketch = (axes: readonly (readonly number[])[]) =>
+    JSON.stringify({
+      format: 'technic-sketch',
+      version: 1,
+      lines,
+      joints: axes.map((axis) => ({ at, axis, between: [[0], [1]] })),
+    });
+  const asked = async (...axes: readonly (readonly number[])[]) => {
+    const question = { about: 'opens', sketchJson: sketch(axes), settings: {} } as const;
+    await core.handle({ kind: 'ask', jobId: 1, question });
+    return replies.at(-1);
+  };
+  expect(await asked([0, 1, 0])).toMatchObject({ kind: 'answered' });
+  expect(await asked([0, 1, 0], [0, 0, 1])).toMatchObject({
+    kind: 'refused',
+    message: expect.stringMatching(/^joints\[1\]: lines cannot turn about two axes/),
+  });
+});

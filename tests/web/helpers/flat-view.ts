@@ -26,6 +26,7 @@ export function flatView(store: SketchStore): ToolView {
     project: (p) => ({ ...seenFromAbove(p), visible: true }),
     pickAt: (at) => ({ node: nearestNode(store, at), line: nearestLine(store, at) }),
     viewDirection: () => [0, 0, -1],
+    pixelsPerModule: () => SCALE,
   };
 }
 

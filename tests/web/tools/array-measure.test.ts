@@ -22,6 +22,7 @@ function begin(id: ToolId) {
   const tools = createTools({
     store,
     view: flatView(store),
+    joint: signal(null),
     plane: signal('auto'),
     nextPlane: () => undefined,
     announce: (message) => said.push(message),

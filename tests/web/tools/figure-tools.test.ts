@@ -12,6 +12,7 @@ function begin(id: ToolId) {
   const tools = createTools({
     store,
     view: flatView(store),
+    joint: signal(null),
     plane: signal('auto'),
     nextPlane: () => undefined,
     announce: () => undefined,
@@ -93,13 +94,11 @@ describe('nodes', () => {
     expect(store.sketch.value.lines.map(lineLength).sort()).toEqual([2, 6, 6]);
   });
 
-  it('sets a joint about the axis square to both lines, and takes it away again', () => {
+  it('sets a joint about the axis square to both lines', () => {
     const { store, click } = begin('joint');
     store.commit('open', SQUARE);
     click(4, 0);
     expect(store.sketch.value.joints).toEqual([{ at: [4, 0, 0], axis: [0, 0, 1] }]);
-    click(4, 0);
-    expect(store.sketch.value.joints).toBeUndefined();
   });
 });
 

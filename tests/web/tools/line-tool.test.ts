@@ -15,6 +15,7 @@ function begin() {
   const context: ToolContext = {
     store,
     view: flatView(store),
+    joint: signal(null),
     plane,
     nextPlane: () => {
       plane.value = nextPlaneMode(plane.value);

@@ -18,6 +18,7 @@ function begin() {
   const tool = new SelectTool({
     store,
     view: flatView(store),
+    joint: signal(null),
     plane: signal('auto' as const),
     nextPlane: () => undefined,
     announce: () => undefined,

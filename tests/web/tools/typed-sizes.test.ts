@@ -13,6 +13,7 @@ function begin(id: ToolId) {
   const tools = createTools({
     store,
     view: flatView(store),
+    joint: signal(null),
     plane: signal('auto'),
     nextPlane: () => undefined,
     announce: () => undefined,

@@ -11,6 +11,7 @@ import {
 import type { MadeParts } from '../solver/made-file.ts';
 import type { SolverClient } from '../solver/worker-client.ts';
 import { addSymmetry, removeSymmetry } from '../state/edits.ts';
+import type { JointPlace } from '../state/joint-edits.ts';
 import { pagePreferences } from '../state/page-preferences.ts';
 import type { Preferences } from '../state/preferences.ts';
 import { SEARCH_KEYS, type SearchSettings } from '../state/search-settings.ts';
@@ -80,6 +81,7 @@ export class PageController implements Actions {
     });
     this.run = new SolveRun(client);
     const planeMode = signal<PlaneMode>('auto');
+    const joint = signal<JointPlace | null>(null);
     let scene: SceneBridge | null = null;
     this.#tools = createTools({
       store,
@@ -89,7 +91,9 @@ export class PageController implements Actions {
         pickAt: (at) => this.scene.toolView.pickAt(at),
         // Tools ask for it while they are made, before there is a scene.
         viewDirection: () => scene?.toolView.viewDirection() ?? [0, 0, -1],
+        pixelsPerModule: () => this.scene.toolView.pixelsPerModule(),
       },
+      joint,
       plane: planeMode,
       nextPlane: () => {
         planeMode.value = nextPlaneMode(planeMode.value);
@@ -106,6 +110,7 @@ export class PageController implements Actions {
       shown: this.run.shown,
       tool: signal(this.#toolOf('select')),
       planeMode,
+      joint,
     });
     scene = new SceneBridge(this.state, catalogue);
     this.scene = scene;

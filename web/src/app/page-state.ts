@@ -7,6 +7,7 @@ import { unfitParts } from '../model/fitting-parts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
 import type { Report } from '../model/report.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
+import type { JointPlace } from '../state/joint-edits.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import type { PagePreferences } from '../state/page-preferences.ts';
 import { isLoud, type SketchFault } from '../state/sketch-faults.ts';
@@ -38,6 +39,7 @@ interface PageStateOptions {
   readonly shown: ReadonlySignal<ShownModel | null>;
   readonly tool: Signal<Tool>;
   readonly planeMode: Signal<PlaneMode>;
+  readonly joint: Signal<JointPlace | null>;
   readonly ownSettings: ReadonlySignal<boolean>;
 }
 
@@ -56,6 +58,10 @@ export class PageState {
   readonly isolation = signal<Isolation | null>(null);
   readonly section = signal<Section | null>(null);
   readonly pointerTaker = signal<PointerTaker | null>(null);
+  /** The joint that is being changed. */
+  readonly joint: Signal<JointPlace | null>;
+  /** Why the joints of the sketch cannot be had together, as the core says it; null where they can. */
+  readonly jointRefusal = signal<string | null>(null);
   readonly room = signal<string | null>(null);
   readonly dialog = signal<DialogName>(null);
   readonly examples = signal<readonly Example[] | null>(null);
@@ -107,6 +113,7 @@ export class PageState {
     this.shown = shown;
     this.tool = options.tool;
     this.planeMode = options.planeMode;
+    this.joint = options.joint;
     this.ownSettings = options.ownSettings;
     this.result = computed(() => {
       const model = shown.value;

@@ -2,12 +2,14 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
+import { jointIndex } from '../state/joint-edits.ts';
 import type { PointerInput, ToolView } from '../tools/tool.ts';
 import type { PointerTaker } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
 import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
+import { JointScene } from './joint-scene.ts';
 import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
 import { SceneAxes } from './scene-axes.ts';
@@ -35,6 +37,7 @@ export class SceneBridge implements PointerTarget {
   #nextInterim = 0;
   #lastModel: Model | null = null;
   #pressedAt: PointerInput | null = null;
+  readonly #joint = new JointScene();
   /** Who has taken the press that is under way. */
   #taker: PointerTaker | null = null;
 
@@ -45,6 +48,7 @@ export class SceneBridge implements PointerTarget {
     project: (point) => this.#view?.project(point) ?? { x: 0, y: 0, visible: false },
     pickAt: (at) => this.#view?.pick(at.x, at.y, this.#coarse ? 'coarse' : 'fine') ?? NOTHING,
     viewDirection: () => this.#view?.viewDirection() ?? [0, 0, -1],
+    pixelsPerModule: () => this.#view?.pixelsPerModule() ?? 1,
   };
 
   constructor(state: PageState, catalogue: Catalogue) {
@@ -85,6 +89,7 @@ export class SceneBridge implements PointerTarget {
     const stop = this.#follow(host);
     return () => {
       stop();
+      this.#joint.clear();
       feed.dispose();
       this.#view?.dispose();
       this.#view = null;
@@ -180,6 +185,7 @@ export class SceneBridge implements PointerTarget {
     // The overlay changes with every move of the pointer, what it hovers over seldom: a sketch must not
     // be drawn anew because a line's end has moved.
     const hovered = computed(() => state.tool.value.overlay.value.hovered);
+    const handle = computed(() => state.tool.value.overlay.value.handle);
     const stops = [
       effect(() => this.#view?.setTheme(state.themeName.value as ThemeName)),
       effect(() => this.#showSketch(hovered.value)),
@@ -194,6 +200,7 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#view?.markParts(state.partMarks.value)),
       effect(() => this.#view?.setCovered(findRoom(state.room.value) !== null)),
       effect(() => this.#showOverlay(host)),
+      effect(() => this.#joint.show(this.#view, state, handle.value)),
     ];
     return () => {
       for (const stop of stops) {
@@ -203,13 +210,14 @@ export class SceneBridge implements PointerTarget {
   }
 
   #showSketch(hovered: number | null): void {
-    const { store, problemPoints, problemLines, proposedSymmetry } = this.#state;
+    const { store, problemPoints, problemLines, proposedSymmetry, tool, joint } = this.#state;
     const marks: SketchMarks = {
       selected: store.selection.value,
       hovered,
       errors: problemLines.value,
       errorPoints: problemPoints.value,
       proposedSymmetry: proposedSymmetry.value,
+      selectedJoint: tool.value.id === 'joint' ? jointIndex(store.sketch.value, joint.value) : null,
     };
     this.#view?.setSketch(store.sketch.value, marks);
   }
@@ -243,7 +251,8 @@ export class SceneBridge implements PointerTarget {
     const tool = this.#state.tool.value;
     const overlay = tool.overlay.value;
     const drawing = tool.id !== 'select' && tool.id !== 'split' && tool.id !== 'joint';
-    host.dataset['cursor'] = drawing ? 'draw' : overlay.hovered === null ? '' : 'pick';
+    const pickable = overlay.hovered !== null || overlay.handle !== null;
+    host.dataset['cursor'] = drawing ? 'draw' : pickable ? 'pick' : '';
     // Tools that draw show where: the plane appears with the pointer or the keyboard's cursor.
     const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
     this.#view?.setGuidePlane(plane, overlay.cursor);

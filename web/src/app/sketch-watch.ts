@@ -3,7 +3,9 @@ import { readFoundSymmetries } from '../model/found-symmetries.ts';
 import { lineLength, type SketchDocument } from '../model/sketch.ts';
 import { readSketchNotes } from '../model/sketch-notes.ts';
 import type { SolverClient } from '../solver/worker-client.ts';
+import { writeSketch } from '../state/read-sketch.ts';
 import { findTwins } from '../state/sketch-faults.ts';
+import { settingsOf } from '../ui/solve-settings.ts';
 import type { PageState } from './page-state.ts';
 
 /** A pause in the drawing after which the sketch is looked through. */
@@ -28,6 +30,11 @@ export function watchSketch(state: PageState, solver: Pick<SolverClient, 'ask'>)
       if (looked && sketch.lines.length > 0) {
         void lookThrough(state, solver, { sketch, signal });
       }
+      if (looked && sketch.joints) {
+        void askForJoints(state, solver, { sketch, signal });
+      } else {
+        state.jointRefusal.value = null;
+      }
     }, PAUSE_MS);
   });
   return () => {
@@ -50,6 +57,21 @@ async function lookThrough(
     state.faults.value = [...findTwins(sketch), ...readSketchNotes(reply.text)];
     // One line, or two in a row, are symmetric in many ways that nobody means.
     state.foundSymmetries.value = sketch.lines.length > 2 ? readFoundSymmetries(reply.text) : [];
+  }
+}
+
+/** Joints that cannot be had together are said at once, not by a search that fails. */
+async function askForJoints(
+  state: PageState,
+  solver: Pick<SolverClient, 'ask'>,
+  { sketch, signal }: { readonly sketch: SketchDocument; readonly signal: AbortSignal },
+): Promise<void> {
+  const settings = settingsOf(state.preferences.peek());
+  const question = { about: 'opens', sketchJson: writeSketch(sketch), settings } as const;
+  const reply = await solver.ask(question, signal).catch(() => null);
+  if (reply && state.store.sketch.value === sketch) {
+    const message = reply.outcome === 'refused' ? reply.message : '';
+    state.jointRefusal.value = message.startsWith('joints[') ? message : null;
   }
 }
 

@@ -88,11 +88,19 @@ export interface PlacementsQuestion {
   readonly settings: SolveSettings;
 }
 
+/** Whether a search for a sketch can begin: an empty answer, or the refusal that says why not. */
+export interface OpensQuestion {
+  readonly about: 'opens';
+  readonly sketchJson: string;
+  readonly settings: SolveSettings;
+}
+
 export type Question =
   | StressQuestion
   | MotionQuestion
   | PathQuestion
   | SymmetriesQuestion
+  | OpensQuestion
   | PlacementsQuestion;
 
 export type ToWorker =

@@ -1,5 +1,12 @@
 import { assertNever } from '../base/assert-never.ts';
-import type { FromWorker, Question, SolveProgress, SolveSettings, ToWorker } from './protocol.ts';
+import type {
+  FromWorker,
+  OpensQuestion,
+  Question,
+  SolveProgress,
+  SolveSettings,
+  ToWorker,
+} from './protocol.ts';
 import type { SolverModule, SolverReply, SolverSession } from './solver-module.ts';
 
 /**
@@ -96,6 +103,8 @@ function answerTo(module: SolverModule, question: Question): SolverReply {
   switch (question.about) {
     case 'symmetries':
       return module.findSymmetriesJson(question.sketchJson);
+    case 'opens':
+      return openedBy(module, question);
     case 'placements':
       return module.placementsJson(question.sketchJson, settingsText(question.settings));
     case 'stress':
@@ -108,6 +117,16 @@ function answerTo(module: SolverModule, question: Question): SolverReply {
         : module.freeMotionJson(question.modelJson, question.index);
     default:
       return assertNever(question);
+  }
+}
+
+/** Opens a search and gives it up at once: what is refused is refused then. */
+function openedBy(module: SolverModule, { sketchJson, settings }: OpensQuestion): SolverReply {
+  const session = new module.SolverSession(sketchJson, settingsText(settings));
+  try {
+    return session.opened();
+  } finally {
+    session.delete();
   }
 }
 

@@ -1,9 +1,10 @@
-import type {
-  KeepOutBox,
-  SketchDocument,
-  SketchJoint,
-  SketchLine,
-  SketchSymmetry,
+import {
+  type KeepOutBox,
+  type SketchDocument,
+  type SketchJoint,
+  type SketchLine,
+  type SketchSymmetry,
+  versionOf,
 } from '../model/sketch.ts';
 import type { SketchColours } from '../model/sketch-colours.ts';
 import { setColours } from './paint-lines.ts';
@@ -112,7 +113,12 @@ export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDo
     if (delta.ground.after === null) delete next.ground;
     else next.ground = delta.ground.after;
   }
-  return withColours(next, delta.colours);
+  return withColours(ofVersion(next, delta), delta.colours);
+}
+
+/** Ranges of joints are of version 2. */
+function ofVersion(sketch: SketchDocument, { joints }: SketchDelta): SketchDocument {
+  return joints ? { ...sketch, version: versionOf(sketch) } : sketch;
 }
 
 function withColours(

@@ -172,18 +172,6 @@ export function setHoleAxis(
   });
 }
 
-/** Adds a joint, in place of one at the same point. */
-export function addJoint(sketch: SketchDocument, joint: SketchJoint): SketchDocument {
-  const others = (sketch.joints ?? []).filter((old) => pointKey(old.at) !== pointKey(joint.at));
-  return { ...sketch, joints: [...others, joint] };
-}
-
-/** Takes away the joint at a point. */
-export function removeJoint(sketch: SketchDocument, at: Vec3): SketchDocument {
-  const joints = (sketch.joints ?? []).filter((old) => pointKey(old.at) !== pointKey(at));
-  return withList(sketch, 'joints', joints);
-}
-
 export function addKeepOut(sketch: SketchDocument, box: KeepOutBox): SketchDocument {
   return { ...sketch, keepOut: [...(sketch.keepOut ?? []), box] };
 }

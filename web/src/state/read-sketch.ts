@@ -20,7 +20,7 @@ export const MAX_SKETCH_BYTES = 8 * 2 ** 20;
 export const MAX_LINES = 20000;
 export const MAX_COORDINATE = 2000;
 /** Bodies that share one joint. */
-const MAX_JOINT_BODIES = 16;
+export const MAX_JOINT_BODIES = 16;
 /** 0.95 is 0.05 off 1, though not in binary. */
 const LENGTH_TOLERANCE = 0.05 + 1e-9;
 const MAX_NAME = 200;

@@ -1,13 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
-import { cross, length, normalize, type Vec3 } from '../geometry/vec.ts';
-import {
-  lineVector,
-  pointKey,
-  type SketchDocument,
-  type SketchJoint,
-  sketchNodes,
-} from '../model/sketch.ts';
-import { addJoint, removeJoint, splitAt } from '../state/edits.ts';
+import type { Vec3 } from '../geometry/vec.ts';
+import { sketchNodes } from '../model/sketch.ts';
+import { splitAt } from '../state/edits.ts';
 import type { Navigation, NodePick } from '../view/view-types.ts';
 import { describePoint } from './point-tool.ts';
 import {
@@ -24,7 +18,7 @@ const NODE_PIXELS = 14;
 const DRAG_PIXELS = 6;
 
 /** What these tools need to know of a node. */
-type ToolNode = Pick<NodePick, 'at' | 'lines'>;
+export type ToolNode = Pick<NodePick, 'at' | 'lines'>;
 
 /** Which way an arrow key goes through the nodes. */
 const STEPS: Readonly<Record<string, number>> = {
@@ -35,7 +29,7 @@ const STEPS: Readonly<Record<string, number>> = {
 };
 
 /** A tool that does one thing to the node that is clicked. */
-abstract class NodeTool implements Tool {
+export abstract class NodeTool implements Tool {
   abstract readonly id: ToolId;
   abstract readonly hint: ReadonlySignal<string>;
   protected readonly context: ToolContext;
@@ -54,12 +48,12 @@ abstract class NodeTool implements Tool {
   #chosen: number | null = null;
 
   navigation(at: PointerInput): Navigation {
-    return this.#nodeAt(at) ? 'tool' : 'orbit';
+    return this.nodeAt(at) ? 'tool' : 'orbit';
   }
 
   pointerMove(at: PointerInput): void {
     this.#chosen = null;
-    this.#show(this.#nodeAt(at)?.at ?? null);
+    this.#show(this.nodeAt(at)?.at ?? null);
   }
 
   pointerDown(at: PointerInput): void {
@@ -69,7 +63,7 @@ abstract class NodeTool implements Tool {
   pointerUp(at: PointerInput): void {
     const pressed = this.#pressedAt;
     this.#pressedAt = null;
-    const node = this.#nodeAt(at);
+    const node = this.nodeAt(at);
     if (node && pressed && Math.hypot(at.x - pressed.x, at.y - pressed.y) <= DRAG_PIXELS) {
       this.apply(node);
     }
@@ -118,7 +112,12 @@ abstract class NodeTool implements Tool {
     this.#overlay.value = { ...EMPTY_OVERLAY, cursor: at, preview };
   }
 
-  #nodeAt(at: PointerInput): NodePick | null {
+  /** Shows more than the node. */
+  protected showMore(more: Partial<ToolOverlay>): void {
+    this.#overlay.value = { ...this.#overlay.value, ...more };
+  }
+
+  protected nodeAt(at: PointerInput): NodePick | null {
     const node = this.context.view.pickAt(at).node;
     return node && node.distance <= NODE_PIXELS ? node : null;
   }
@@ -142,60 +141,4 @@ export class SplitTool extends NodeTool {
     }
     store.commit(words.edits.split, sketch);
   }
-}
-
-/** Sets a joint at the clicked junction, or takes it away. */
-export class JointTool extends NodeTool {
-  readonly id = 'joint';
-  readonly hint = signal(this.context.words.hints.joint);
-
-  protected suits({ at, lines }: ToolNode): boolean {
-    return jointAt(this.context.store.sketch.value, at, lines) !== null;
-  }
-
-  protected apply(node: ToolNode): void {
-    const { store, words } = this.context;
-    const sketch = store.sketch.value;
-    const known = sketch.joints?.some((joint) => pointKey(joint.at) === pointKey(node.at));
-    if (known) {
-      store.commit(words.edits.joint, removeJoint(sketch, node.at));
-      return;
-    }
-    const joint = jointAt(sketch, node.at, node.lines);
-    if (joint) {
-      store.commit(words.edits.joint, addJoint(sketch, joint));
-    }
-  }
-}
-
-/**
- * The joint that a click at a junction means: lines of one direction turn against the others, about
- * the axis square to both. Null where fewer than two directions meet.
- */
-export function jointAt(
-  sketch: SketchDocument,
-  at: Vec3,
-  through: readonly number[],
-): SketchJoint | null {
-  const directions = through.flatMap((index) => {
-    const line = sketch.lines[index];
-    return line ? [{ index, direction: normalize(lineVector(line)) }] : [];
-  });
-  const first = directions[0];
-  if (!first) {
-    return null;
-  }
-  const parallel = (d: Vec3) => length(cross(d, first.direction)) < 1e-3;
-  const other = directions.find(({ direction }) => !parallel(direction));
-  if (!other) {
-    return null;
-  }
-  const axis = normalize(cross(first.direction, other.direction));
-  if (directions.length === 2) {
-    return { at, axis };
-  }
-  const same = directions.filter(({ direction }) => parallel(direction));
-  const rest = directions.filter(({ direction }) => !parallel(direction));
-  const indices = (group: typeof directions) => group.map(({ index }) => index);
-  return { at, axis, between: [indices(same), indices(rest)] };
 }

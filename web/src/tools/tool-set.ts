@@ -1,8 +1,9 @@
 import { ArrayTool } from './array-tool.ts';
 import { BoxTool, GridTool, HexagonTool, KeepOutTool, RectangleTool } from './figure-tools.ts';
+import { JointTool } from './joint-tool.ts';
 import { LineTool } from './line-tool.ts';
 import { MeasureTool } from './measure-tool.ts';
-import { JointTool, SplitTool } from './node-tools.ts';
+import { SplitTool } from './node-tools.ts';
 import { SelectTool } from './select-tool.ts';
 import type { Tool, ToolContext, ToolId } from './tool.ts';
 

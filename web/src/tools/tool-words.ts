@@ -27,6 +27,13 @@ export interface ToolWords {
     /** What a line becomes, by how many beams that takes. */
     readonly becomes: Readonly<Record<BeamKind, string>>;
   };
+  readonly joint: {
+    readonly axis: string;
+    readonly range: string;
+    readonly noRange: string;
+    readonly degrees: string;
+    readonly needsTwo: string;
+  };
   readonly edits: {
     readonly draw: string;
     readonly move: string;

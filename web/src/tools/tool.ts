@@ -1,6 +1,8 @@
-import type { ReadonlySignal } from '@preact/signals';
+import type { ReadonlySignal, Signal } from '@preact/signals';
 import type { AxisName, Vec3 } from '../geometry/vec.ts';
+import type { JointPlace } from '../state/joint-edits.ts';
 import type { SketchStore } from '../state/store.ts';
+import type { JointHandle } from '../view/joint-ring.ts';
 import type {
   GuidePlane,
   LinePreview,
@@ -20,6 +22,8 @@ export interface ToolView {
   pickAt(at: ScreenPoint): Pick;
   /** From the eye into the picture, unit length. */
   viewDirection(): Vec3;
+  /** CSS pixels that one module takes at what is looked at. */
+  pixelsPerModule(): number;
 }
 
 /** Which plane is drawn on: chosen by the view, or fixed by its normal axis. */
@@ -63,6 +67,8 @@ export interface ToolOverlay {
   /** How many sizes can be typed for the next step: `6,8,4` are three. */
   readonly sizes: number;
   readonly lock: AxisName | null;
+  /** What of a joint's ring is under the pointer or dragged. */
+  readonly handle: JointHandle | null;
 }
 
 export const EMPTY_OVERLAY: ToolOverlay = {
@@ -75,11 +81,14 @@ export const EMPTY_OVERLAY: ToolOverlay = {
   typed: '',
   sizes: 0,
   lock: null,
+  handle: null,
 };
 
 /** What all tools work with. */
 export interface ToolContext {
   readonly store: SketchStore;
+  /** The joint that is being changed. */
+  readonly joint: Signal<JointPlace | null>;
   readonly view: ToolView;
   readonly plane: ReadonlySignal<PlaneMode>;
   readonly nextPlane: () => void;

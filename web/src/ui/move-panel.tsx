@@ -1,3 +1,5 @@
+import { placeOfJoint } from '../state/joint-edits.ts';
+import { fillWords } from '../tools/tool-words.ts';
 import { CheckRow } from './checks/checks-section.tsx';
 import { FREEDOMS_CHECK } from './checks/freedoms.tsx';
 import { JOINTS_CHECK } from './checks/joints.tsx';
@@ -54,7 +56,33 @@ function Joints({ shown }: { readonly shown: ShownModel }) {
       <h3>{text.places.jointsTitle}</h3>
       {state === 'busy' ? <p class="quiet">{text.app.loading}</p> : null}
       <JOINTS_CHECK.component shown={shown} />
+      <ChangeJoints />
     </>
+  );
+}
+
+/** The way from a joint of the model to the drawing, where it is changed. */
+function ChangeJoints() {
+  const page = usePage();
+  const sketch = page.store.sketch.value;
+  const change = (index: number) => {
+    page.joint.value = placeOfJoint(sketch, index);
+    page.useTool('joint');
+    page.focusDrawing();
+  };
+  return (
+    <p class="move-change">
+      {(sketch.joints ?? []).map((joint, index) => (
+        <button
+          key={JSON.stringify(joint)}
+          type="button"
+          class="button small"
+          onClick={() => change(index)}
+        >
+          {fillWords(text.joint.changeThis, { n: index + 1 })}
+        </button>
+      ))}
+    </p>
   );
 }
 

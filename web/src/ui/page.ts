@@ -10,6 +10,7 @@ import type { SketchDocument, SketchSymmetry } from '../model/sketch.ts';
 import type { MadeParts } from '../solver/made-file.ts';
 import type { MadeModel } from '../solver/made-model.ts';
 import type { SolveProgress } from '../solver/protocol.ts';
+import type { JointPlace } from '../state/joint-edits.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import type { LibraryEntry } from '../state/library.ts';
 import type { PagePreferences } from '../state/page-preferences.ts';
@@ -157,6 +158,10 @@ export interface Page {
   /** The sketch is searched with the person's settings from now on. */
   dropOwnSettings(): void;
   readonly tool: ReadonlySignal<Tool>;
+  /** The joint that is being changed, with the tool for joints. */
+  readonly joint: Signal<JointPlace | null>;
+  /** Why the joints of the sketch cannot be had together, as the core says it; null where they can. */
+  readonly jointRefusal: ReadonlySignal<string | null>;
   readonly solve: ReadonlySignal<SolveState>;
   readonly result: ReadonlySignal<ResultState | null>;
   /** The model was made for another sketch than the one on screen. */

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { CommandButton } from './controls.tsx';
 import { FirstSteps } from './first-steps.tsx';
 import { Icon } from './icon.tsx';
+import { JointCard } from './joint-card.tsx';
 import { usePage } from './page-context.ts';
 import { PartCard } from './part-card.tsx';
 import { findRoom } from './rooms/room-table.ts';
@@ -36,6 +37,7 @@ export function Stage() {
       <SelectionBox />
       <div class="stage-top">
         <ToolOptions />
+        <JointCard />
         <Invitation />
         <FirstSteps />
         <Hint />

@@ -234,6 +234,11 @@ export class SceneView {
     return this.#screen.project(point);
   }
 
+  /** CSS pixels that one module takes at what is looked at. */
+  pixelsPerModule(): number {
+    return this.#screen.size().height / this.#rig.viewHeight();
+  }
+
   /** What of the sketch lies there on screen. @param pointer `coarse` for a finger: reaches further. */
   pick(x: number, y: number, pointer: 'fine' | 'coarse' = 'fine'): Pick {
     return this.#mode === 'model'
@@ -334,7 +339,7 @@ export class SceneView {
       theme: this.#stage.theme,
       model: this.#model.model,
       catalogue: this.#library.catalogue,
-      pixelsPerModule: height / this.#rig.viewHeight(),
+      pixelsPerModule: this.pixelsPerModule(),
       width,
       height,
       invalidate: () => this.invalidate(),
