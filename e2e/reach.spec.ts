@@ -146,6 +146,7 @@ for (let share = 0; share < SHARES; share++) {
   test(`commands are found in the palette by their names and run, ${share + 1} of ${SHARES}`, async ({
     page,
   }) => {
+    test.setTimeout(240_000);
     await openWithModel(page);
     const all = await rowsOfPalette(page);
     await leave(page);
