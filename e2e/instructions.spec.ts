@@ -58,6 +58,8 @@ for (const [paper, width, height] of [
   ['Letter', 612, 792],
 ] as const) {
   test(`the PDF has all steps on pages of ${paper}`, async ({ page }) => {
+    // Each page is drawn by the processor.
+    test.setTimeout(240_000);
     await openModelRoom(page, 'instructions', 'examples/square-frame');
     await expect(page.locator(PICTURE)).toBeVisible({ timeout: 90_000 });
     const steps = await page.getByRole('progressbar', { name: 'Done' }).getAttribute('max');

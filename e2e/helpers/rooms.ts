@@ -12,7 +12,7 @@ export async function openModelRoom(page: Page, room: string, sketch: string): P
 
 /** The bytes of the file that a click downloads. */
 export async function bytesOf(page: Page, click: () => Promise<void>): Promise<Buffer> {
-  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 90_000 }), click()]);
+  const [file] = await Promise.all([page.waitForEvent('download', { timeout: 200_000 }), click()]);
   return readDownload(file);
 }
 
