@@ -1,6 +1,6 @@
 import { computed, effect, type Signal, signal } from '@preact/signals';
-import { type AxisName, axisIndex, type Vec3 } from '../geometry/vec.ts';
-import { modelBounds } from '../model/bounds.ts';
+import type { AxisName, Vec3 } from '../geometry/vec.ts';
+import { middleAlong, modelBounds } from '../model/bounds.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import {
   emptySketch,
@@ -349,9 +349,7 @@ export class PageController implements Actions {
   readonly cutAlong = (axis: AxisName | null): void => {
     const { section, shown, catalogue } = this.state;
     const box = axis && shown.value ? modelBounds(shown.value.model, catalogue) : null;
-    const k = axis && axisIndex(axis);
-    section.value =
-      k !== null && axis && box ? { axis, offset: (box.min[k] + box.max[k]) / 2 } : null;
+    section.value = axis && box ? { axis, offset: middleAlong(box, axis) } : null;
   };
 
   readonly moveCamera = ({ factor, right, up }: CameraMove): void => {
@@ -389,8 +387,7 @@ export class PageController implements Actions {
   };
 
   readonly typeLength = (value: string): void => {
-    const tool = this.state.tool.value;
-    tool.type?.(value);
+    this.state.tool.value.type?.(value);
   };
 
   #toolOf(id: ToolId): Tool {

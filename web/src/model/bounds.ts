@@ -1,4 +1,4 @@
-import { add, rotate, type Vec3 } from '../geometry/vec.ts';
+import { type AxisName, add, axisIndex, rotate, type Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from './catalogue.ts';
 import type { Model } from './model.ts';
 import type { SketchDocument } from './sketch.ts';
@@ -31,6 +31,12 @@ export function unionBounds(a: Bounds | null, b: Bounds | null): Bounds | null {
     return a ?? b;
   }
   return boundsOfPoints([a.min, a.max, b.min, b.max]);
+}
+
+/** Halfway through a box along an axis. */
+export function middleAlong({ min, max }: Bounds, axis: AxisName): number {
+  const k = axisIndex(axis);
+  return (min[k] + max[k]) / 2;
 }
 
 /** The eight corners of a box. */
