@@ -46,7 +46,9 @@ std::vector<std::string> galleryFiles() {
 }
 
 std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
-  std::string name = std::filesystem::path(info.param).filename().string();
+  // The folder too: the first steps and the gallery may have a drawing of one name each.
+  const std::filesystem::path path(info.param);
+  std::string name = path.parent_path().filename().string() + "_" + path.filename().string();
   name.resize(name.size() - std::string(".sketch.json").size());
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
