@@ -10,6 +10,7 @@
 
 #include "base/status.h"
 #include "design/design_session.h"
+#include "design/part_places.h"
 #include "design/placements.h"
 #include "design/symmetries.h"
 #include "wasm/contract.h"
@@ -96,6 +97,19 @@ SolverReply placementsJson(const std::string& sketchJson, const std::string& set
   return toReply(liftarm::design::placementsJson(sketchJson, settingsJson));
 }
 
+SolverReply partPlacesJson(const std::string& modelJson,
+                           const std::string& layoutJson,
+                           const std::string& settingsJson) {
+  return toReply(liftarm::design::partPlacesJson(modelJson, layoutJson, settingsJson));
+}
+
+SolverReply fittingPartsJson(const std::string& modelJson,
+                             const std::string& layoutJson,
+                             const std::string& settingsJson,
+                             int part) {
+  return toReply(liftarm::design::fittingPartsJson(modelJson, layoutJson, settingsJson, part));
+}
+
 SolverReply exportModel(const std::string& modelJson, const std::string& format) {
   return toReply(liftarm::design::exportModel(modelJson, format));
 }
@@ -122,6 +136,8 @@ EMSCRIPTEN_BINDINGS(liftarm) {
   emscripten::function("freeMotionJson", &freeMotionJson);
   emscripten::function("findSymmetriesJson", &findSymmetriesJson);
   emscripten::function("placementsJson", &placementsJson);
+  emscripten::function("partPlacesJson", &partPlacesJson);
+  emscripten::function("fittingPartsJson", &fittingPartsJson);
   emscripten::function("exportModel", &exportModel);
   emscripten::function("contractJson", &liftarm::wasm::contractJson);
 }

@@ -6,6 +6,7 @@
 
 #include "design/alikeness.h"
 #include "design/covers_in_use.h"
+#include "design/keep_blame.h"
 #include "design/looseness.h"
 #include "layout/stack.h"
 #include "objective/mobility.h"
@@ -127,8 +128,10 @@ struct Attempts::Attempt {
 };
 
 layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings) {
-  layout::LayoutProblem problem = layout::makeLayoutProblem(
-      guide::buildGuidingGraph(sketch, bridgingOf(settings)), fillsGaps(settings));
+  guide::GuidingGraph graph = guide::buildGuidingGraph(sketch, bridgingOf(settings));
+  layout::turnToKeeps(sketch, settings.keeps, &graph);
+  layout::LayoutProblem problem = layout::makeLayoutProblem(std::move(graph), fillsGaps(settings));
+  layout::addKeeps(sketch, settings.keeps, &problem);
   problem.closeGroups = isPaperFamily(settings.method) && settings.closeGroups;
   return problem;
 }
@@ -225,6 +228,21 @@ void Attempts::lookAt(const std::vector<lattice::Vec3>& places, double radius, s
   }
 }
 
+//! Why the search that has ended is not whole: what the sketch keeps, once it is all that is left
+//! to ask of it, or the lines at a place.
+void Attempts::findReason() {
+  if (!settings_->keeps.empty()) {
+    if (!plans_.empty() || moreSeeds_ > 0 || settings_->annealing.maxRounds < kRoundsOfBlame) {
+      return;
+    }
+    const search::LayoutSnapshot& failed = current_->search->best();
+    blamed_ = findBlame(*sketch_, current_->problem, failed, *settings_, table_);
+  }
+  if (!blamed_) {
+    findCrowdedPlace();
+  }
+}
+
 //! Looks at the worst nodes of a layout that is not whole, each alone, then at what is near them.
 void Attempts::findCrowdedPlace() {
   const search::LayoutSnapshot& best = current_->search->best();
@@ -249,7 +267,7 @@ void Attempts::findCrowdedPlace() {
 //! Where every plan failed and no place is known to be at fault, or a look has found a layout of
 //! all lines, other seeds and short rounds may find what is there.
 void Attempts::planMoreSeeds() {
-  if ((plans_.empty() || wholeAlone_) && best_ == nullptr && moreSeeds_ < kMoreSeeds &&
+  if ((plans_.empty() || wholeAlone_) && !blamed_ && best_ == nullptr && moreSeeds_ < kMoreSeeds &&
       !isPaperFamily(settings_->method) &&
       current_->problem.graph.runs.size() <= kMostRunsForMore) {
     wholeAlone_ = false;
@@ -308,7 +326,7 @@ void Attempts::goOn() {
   judge(current_.get());
   workBefore_ += current_->search->work();
   if (best_ == nullptr && !isPaperFamily(settings_->method) && !isWhole(current_->search->best())) {
-    findCrowdedPlace();
+    findReason();
   }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;

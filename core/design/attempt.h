@@ -8,6 +8,7 @@
 
 #include "design/crowded_place.h"
 #include "design/settings.h"
+#include "layout/keeps.h"
 #include "layout/layout.h"
 #include "mechanisms/mechanism_table.h"
 #include "search/layout_search.h"
@@ -79,6 +80,9 @@ class Attempts {
   //! \brief The place that no layout was found for, where that is why there is none.
   [[nodiscard]] const std::optional<CrowdedPlace>& crowded() const { return crowded_; }
 
+  //! \brief What the sketch keeps and leaves it without a whole layout, if that was found.
+  [[nodiscard]] const std::optional<layout::KeepFault>& blamed() const { return blamed_; }
+
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return table_; }
 
  private:
@@ -86,6 +90,7 @@ class Attempts {
 
   void goOn();
   void begin(Wishes wishes, bool last);
+  void findReason();
   void findCrowdedPlace();
   void lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest);
   void planMoreSeeds();
@@ -103,6 +108,7 @@ class Attempts {
   std::unique_ptr<Attempt> current_;
   std::unique_ptr<Attempt> best_;  // whole, of those that have ended
   std::optional<CrowdedPlace> crowded_;
+  std::optional<layout::KeepFault> blamed_;
   std::vector<std::pair<double, lattice::Vec3>> looked_;  // radius and place of every look
   std::uint32_t moreSeeds_ = 0;                           // searches beyond the plans
   bool wholeAlone_ = false;                               // a look found a layout of all lines

@@ -89,8 +89,17 @@ void addJoints(const sketch::Sketch& sketch,
   }
 }
 
-//! Whether a search of so many rounds joins all lines of a sketch.
-bool isJoined(const sketch::Sketch& sketch,
+std::string listOf(const std::vector<int>& lines) {
+  std::string text;
+  for (const int line : lines) {
+    text += (text.empty() ? "lines[" : ", lines[") + std::to_string(line) + "]";
+  }
+  return text;
+}
+
+}  // namespace
+
+bool joinsAll(const sketch::Sketch& sketch,
               const Settings& settings,
               const mechanisms::MechanismTable& table,
               std::uint32_t rounds,
@@ -113,16 +122,6 @@ bool isJoined(const sketch::Sketch& sketch,
   return isWhole(annealer.best());
 }
 
-std::string listOf(const std::vector<int>& lines) {
-  std::string text;
-  for (const int line : lines) {
-    text += (text.empty() ? "lines[" : ", lines[") + std::to_string(line) + "]";
-  }
-  return text;
-}
-
-}  // namespace
-
 std::vector<int> linesNear(const sketch::Sketch& sketch, Vec3 at, double radius) {
   std::vector<int> lines;
   for (std::size_t i = 0; i < sketch.lines.size(); ++i) {
@@ -138,10 +137,12 @@ std::optional<CrowdedPlace> findCrowded(const sketch::Sketch& sketch,
                                         double radius,
                                         const Settings& settings,
                                         const mechanisms::MechanismTable& table) {
+  Settings alone = settings;
+  alone.keeps.clear();
   const auto joined = [&](const std::vector<int>& lines, std::uint32_t rounds, double work) {
     sketch::Sketch near = cutOut(sketch, at, radius, lines);
     addJoints(sketch, at, radius, lines, near);
-    return isJoined(near, settings, table, rounds, work);
+    return joinsAll(near, alone, table, rounds, work);
   };
   CrowdedPlace place{at, radius, linesNear(sketch, at, radius), {}};
   if (joined(place.lines, kRoundsOfAll, kWorkOfAll)) {

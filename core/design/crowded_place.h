@@ -38,6 +38,14 @@ std::optional<CrowdedPlace> findCrowded(const sketch::Sketch& sketch,
                                         const Settings& settings,
                                         const mechanisms::MechanismTable& table);
 
+//! \brief Whether a search of so many rounds joins all lines of a sketch. \param work
+//! AnnealingOptions::mostWork.
+bool joinsAll(const sketch::Sketch& sketch,
+              const Settings& settings,
+              const mechanisms::MechanismTable& table,
+              std::uint32_t rounds,
+              double work);
+
 //! \brief What is said of it: place, reason and the change that would help, in one sentence.
 std::string messageOf(const CrowdedPlace& place);
 

@@ -17,6 +17,7 @@
 #include "layout/axle.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
+#include "sketch/keep_json.h"
 #include "sketch/sketch_json.h"
 #include "sketch/sketch_notes.h"
 
@@ -72,6 +73,7 @@ class Session final : public DesignSession {
                        sketch_,
                        notes_,
                        attempts_.crowded(),
+                       attempts_.blamed(),
                        model::asWritten(model())});
   }
 
@@ -88,7 +90,7 @@ class Session final : public DesignSession {
 
  private:
   [[nodiscard]] model::Model model() const {
-    const std::string sketchText = sketch::writeSketch(sketch_, colours_);
+    const std::string sketchText = sketch::writeSketch(sketch_, colours_, settings_.keeps);
     if (attempts_.search().best().covers.empty()) {
       return {sketch_.name, {}, sketchText};  // asked before the first step
     }
@@ -144,8 +146,15 @@ base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_v
   if (!settings.ok()) {
     return settings.error();
   }
+  Settings wanted = std::move(settings).value();
+  wanted.keeps = sketch::keepsOf(sketchJson, sketch.value().sketch);
+  if (isPaperFamily(wanted.method) && !wanted.keeps.empty()) {
+    return base::Error{base::Status::kInvalidInput,
+                       "keep: method " + wanted.method +
+                           " knows no parts that are to stay; use the default method"};
+  }
   auto session = std::make_unique<Session>(
-      std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(settings).value());
+      std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(wanted));
   if (std::optional<std::string> refusal = session->refusal()) {
     return base::Error{base::Status::kInvalidInput, *std::move(refusal)};
   }

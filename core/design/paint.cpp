@@ -102,6 +102,18 @@ std::map<int, int> coloursByLine(const sketch::SketchColours& colours, const mod
   return result;
 }
 
+//! The colour of a part that has one of its own.
+std::optional<int> ownColour(const sketch::SketchColours& colours,
+                             const model::PlacedPart& placed) {
+  constexpr double kHere = 0.01;  // modules
+  for (const sketch::PaintedPart& painted : colours.parts) {
+    if (painted.part == placed.part && lattice::length(painted.at - placed.pose.position) < kHere) {
+      return painted.colour;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void paint(const sketch::SketchColours& colours, model::Model& model) {
@@ -115,7 +127,9 @@ void paint(const sketch::SketchColours& colours, model::Model& model) {
     }
     const auto ofLine = byLine.find(static_cast<int>(i));
     const auto ofKind = colours.kinds.find(kindOf(*part));
-    if (ofLine != byLine.end()) {
+    if (const std::optional<int> own = ownColour(colours, placed)) {
+      placed.color = *own;
+    } else if (ofLine != byLine.end()) {
       placed.color = ofLine->second;
     } else if (ofKind != colours.kinds.end()) {
       placed.color = ofKind->second;

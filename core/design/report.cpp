@@ -65,11 +65,27 @@ bool isCrowded(const ReportInput& input, const lattice::Vec3& at) {
   return input.crowded && lattice::length(input.crowded->at - at) < sketch::kSamePoint;
 }
 
-//! Why there is no layout, before all that follows from it.
+json keepProblem(const layout::KeepFault& fault) {
+  return {{"kind", "keep"},
+          {"message", fault.message},
+          {"at", pointJson(fault.at)},
+          {"line", fault.line},
+          {"parts", json::array()}};
+}
+
+//! Why there is no layout, or not all that is kept is in it, before all that follows from it.
 json causeJson(const ReportInput& input) {
-  return input.crowded
-             ? json::array({junctionProblem(messageOf(*input.crowded), input.crowded->at)})
-             : json::array();
+  json causes = json::array();
+  if (input.crowded) {
+    causes.push_back(junctionProblem(messageOf(*input.crowded), input.crowded->at));
+  }
+  if (input.blamed) {
+    causes.push_back(keepProblem(*input.blamed));
+  }
+  for (const layout::KeepFault& fault : input.problem.keepFaults) {
+    causes.push_back(keepProblem(fault));
+  }
+  return causes;
 }
 
 //! Places where the search itself knows that it failed; the checks see their effects only. Of a
@@ -206,7 +222,9 @@ std::string makeReport(const ReportInput& input) {
       {"size", pointJson(check.counts.size)},
       {"missing", missing},
       {"unusualColours", countUnusualColours(input.model)},
-      {"buildable", check.buildable && broken == 0 && missing.empty() && !best.covers.empty()},
+      {"buildable",
+       check.buildable && broken == 0 && missing.empty() && !best.covers.empty() &&
+           input.problem.keepFaults.empty()},
       {"items", itemsJson(check)},
       {"wellBuilt", wellBuiltJson(check.wellBuilt)},
       {"notes", notesJson(input.notes)},

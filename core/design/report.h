@@ -23,6 +23,7 @@ struct ReportInput {
   const sketch::Sketch& sketch;
   const std::vector<sketch::Note>& notes;
   const std::optional<CrowdedPlace>& crowded;
+  const std::optional<layout::KeepFault>& blamed;
   model::Model model;
 };
 

@@ -11,6 +11,7 @@
 #include "objective/objective.h"
 #include "search/annealing_options.h"
 #include "search/paper_search.h"
+#include "sketch/keep.h"
 
 namespace liftarm::design {
 
@@ -44,6 +45,7 @@ struct Settings {
   //! How many of a part are owned, by LDraw number; others are not limited. What the search can do
   //! about it is in annealing.supply, lengths and connectors already.
   std::map<std::string, int> owned;
+  sketch::Keeps keeps;  //!< what the sketch wants to stay; whoever has its text fills it in
 };
 
 //! \brief Where a search with these settings may let mechanisms stand for beams' ends.

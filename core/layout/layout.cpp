@@ -140,7 +140,7 @@ int Layout::collisionsWith(int run, const Cover& cover, int other) const {
 int Layout::forbiddenOf(int run, const Cover& cover) const {
   const guide::GuidingGraph& graph = problem_->graph;
   const guide::GuideRun& guideRun = graph.runs[at(run)];
-  int count = 0;
+  int count = keepViolations(*problem_, run, cover);
   for (const Beam& beam : cover.beams) {
     count += guideRun.allows(beam.layer) ? 0 : beam.holes;
   }

@@ -9,6 +9,7 @@
 #include "layout/beam.h"
 #include "layout/connection_solver.h"
 #include "layout/frame_sites.h"
+#include "layout/keeps.h"
 #include "layout/local_view.h"
 
 namespace liftarm::layout {
@@ -23,7 +24,8 @@ struct Tallies {
   int hinges = 0;        //!< beams in line that share one hole only (DESIGN 7)
   int collisions = 0;    //!< pairs of beams that interpenetrate
   //! Holes below the ground, in a keep-out box or off an exact line, and beams in line that overlap
-  //! where they have no hole in common.
+  //! where they have no hole in common; and what the sketch keeps and is not there
+  //! (layout/keeps.h).
   int forbidden = 0;
   int gaps = 0;               //!< empty layers within stacks (DESIGN 7)
   int overfull = 0;           //!< beams beyond three in one stack
@@ -78,6 +80,14 @@ struct LayoutProblem {
   std::vector<std::vector<std::pair<int, int>>>
       seenBy;                    //!< by run: (junction, index of its RunView)
   std::vector<FrameSite> sites;  //!< where frames may lie
+  std::vector<RunKeep> keeps;    //!< what the sketch keeps, by run; empty: nothing
+  std::vector<KeepFault> keepFaults;
+
+  //! \brief What is kept on a run; null: nothing.
+  [[nodiscard]] const RunKeep* keepOf(int run) const {
+    const RunKeep* keep = keeps.empty() ? nullptr : &keeps[static_cast<std::size_t>(run)];
+    return keep == nullptr || keep->empty() ? nullptr : keep;
+  }
 };
 
 LayoutProblem makeLayoutProblem(guide::GuidingGraph graph, bool spacers = true);

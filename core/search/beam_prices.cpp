@@ -28,6 +28,7 @@ void BeamPrices::set(const layout::Layout& layout,
   prices_.assign(at(2 * reach_ + 1) * at(edges_ + 2) * lengths_.size(), 0.0);
   addBlockers(layout, request);
   addBeams(request, junctions, rng);
+  forbidUnwanted(request.run);
   favour(request.fixed);
 }
 
@@ -185,6 +186,23 @@ void BeamPrices::addLayer(int layer, double noise, base::Rng* rng) {
       cost += kTuning.covers.forbidden *
               static_cast<double>(forbidden_[at(last + 2)] - forbidden_[at(start + 1)]);
       costs[n] += cost;
+    }
+  }
+}
+
+//! Makes beams impossible that the sketch does not want on a run.
+void BeamPrices::forbidUnwanted(int run) {
+  const layout::RunKeep* keep = problem_->keepOf(run);
+  if (keep == nullptr) {
+    return;
+  }
+  for (int layer = -reach_; layer <= reach_; ++layer) {
+    for (int start = -1; start <= edges_; ++start) {
+      for (std::size_t n = 0; n < lengths_.size() && start + lengths_[n] - 1 <= edges_ + 1; ++n) {
+        if (!keep->permits({start, lengths_[n], layer}, problem_->sites)) {
+          prices_[index(start, n, layer)] += kTuning.covers.forbidden;
+        }
+      }
     }
   }
 }

@@ -46,6 +46,7 @@ class BeamPrices {
   void addLayer(int layer, double noise, base::Rng* rng);
   void countForbidden(const CoverRequest& request, int layer);
   void setPlain(const CoverRequest& request, int layer);
+  void forbidUnwanted(int run);
   void favour(std::span<const layout::Beam> fixed);
   [[nodiscard]] int allowedPlace(std::size_t length) const;
 

@@ -34,10 +34,11 @@ std::vector<Beam> withoutLoneArms(const SearchState& state, int run) {
   return rest;
 }
 
-std::vector<Beam> withoutArms(const std::vector<Beam>& beams) {
+//! Arms that the sketch keeps stay.
+std::vector<Beam> withoutArms(const std::vector<Beam>& beams, const layout::RunKeep* keep) {
   std::vector<Beam> rest;
-  std::copy_if(beams.begin(), beams.end(), std::back_inserter(rest), [](const Beam& beam) {
-    return !beam.isArm();
+  std::copy_if(beams.begin(), beams.end(), std::back_inserter(rest), [&](const Beam& beam) {
+    return !beam.isArm() || (keep != nullptr && keep->keeps(beam));
   });
   return rest;
 }
@@ -89,11 +90,15 @@ bool recover(SearchState& state, int run, const Manner& manner, double turning) 
 
 bool straighten(SearchState& state, int run, const Manner& manner) {
   bool changed = false;
+  const layout::RunKeep* keep = state.problem().keepOf(run);
   const std::vector<Beam> arms = layout::armsOf(state.coverOf(run));
   Cover bare = state.coverOf(run);
-  bare.beams = withoutArms(bare.beams);
+  bare.beams = withoutArms(bare.beams, keep);
   state.place(run, bare);
   for (const Beam& arm : arms) {
+    if (keep != nullptr && keep->keeps(arm)) {
+      continue;
+    }
     if (arm.site >= 0) {
       changed = takeFrameOff(state, run, arm.site, manner) || changed;
       continue;

@@ -34,6 +34,7 @@ Covering::Covering(const layout::LayoutProblem& problem,
   if (!mayBind_) {
     orbits_.releaseAll();
   }
+  freeKeptRuns();
 }
 
 void Covering::place(layout::Layout* layout, int run, const layout::Cover& cover) const {
@@ -71,6 +72,16 @@ bool Covering::cover(CoverRequest request, layout::Layout* layout, base::Rng* rn
 void Covering::bindAgain() {
   if (mayBind_) {
     orbits_ = OrbitCovers(*problem_, lengths_);
+    freeKeptRuns();
+  }
+}
+
+//! What the sketch keeps on a run need not be on its images.
+void Covering::freeKeptRuns() {
+  for (int run = 0; run < static_cast<int>(problem_->graph.runs.size()); ++run) {
+    if (problem_->keepOf(run) != nullptr && orbits_.binds(run)) {
+      orbits_.release(run);
+    }
   }
 }
 

@@ -56,6 +56,8 @@ class Covering {
   [[nodiscard]] std::uint64_t work() const { return coverer_.work(); }
 
  private:
+  void freeKeptRuns();
+
   const layout::LayoutProblem* problem_;
   std::vector<int> lengths_;
   bool mayBind_;

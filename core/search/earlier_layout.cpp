@@ -322,4 +322,39 @@ KeptRuns keepRuns(const guide::GuidingGraph& graph,
   return result;
 }
 
+void dropUnwanted(const layout::LayoutProblem& problem, KeptRuns* kept) {
+  if (problem.keeps.empty()) {
+    return;
+  }
+  const auto gone = [&](int run) { return !kept->covers[at(run)].has_value(); };
+  const auto isBroken = [&](const layout::Beam& beam) {
+    const std::vector<layout::SiteArm> none;
+    const auto& arms = beam.site >= 0 ? problem.sites[at(beam.site)].arms : none;
+    return (beam.mate >= 0 && gone(beam.mate)) ||
+           std::any_of(arms.begin(), arms.end(), [&](const auto& arm) { return gone(arm.run); });
+  };
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t r = 0; r < kept->covers.size(); ++r) {
+      std::optional<layout::Cover>& cover = kept->covers[r];
+      if (cover && (layout::keepViolations(problem, static_cast<int>(r), *cover) > 0 ||
+                    std::any_of(cover->beams.begin(), cover->beams.end(), isBroken))) {
+        cover.reset();
+        --kept->kept;
+        again = true;
+      }
+    }
+  }
+  std::vector<int> touched;
+  for (std::size_t r = 0; r < kept->covers.size(); ++r) {
+    const bool before =
+        std::binary_search(kept->touched.begin(), kept->touched.end(), static_cast<int>(r));
+    if (before || !kept->covers[r] ||
+        meetsBare(problem.graph, problem.graph.runs[r], kept->covers)) {
+      touched.push_back(static_cast<int>(r));
+    }
+  }
+  kept->touched = std::move(touched);
+}
+
 }  // namespace liftarm::search

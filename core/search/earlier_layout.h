@@ -6,6 +6,7 @@
 #include "guide/guiding_graph.h"
 #include "layout/beam.h"
 #include "layout/frame_sites.h"
+#include "layout/layout.h"
 
 namespace liftarm::search {
 
@@ -52,5 +53,9 @@ struct Allowed {
 KeptRuns keepRuns(const guide::GuidingGraph& graph,
                   const EarlierLayout& earlier,
                   const Allowed& allowed);
+
+//! \brief Takes out the covers that are not as the sketch wants them (layout/keeps.h), with those
+//! that share a bent beam or a frame with them.
+void dropUnwanted(const layout::LayoutProblem& problem, KeptRuns* kept);
 
 }  // namespace liftarm::search

@@ -61,7 +61,9 @@ std::optional<layout::Bend> pickBend(
     const double rest =
         cheapest ? beamsBeside(bend.arm, edges) + beamsBeside(bend.mateArm, mateEdges) : 0.0;
     if (rest > least || meetsAny(bend.arm, fixed) || meetsAny(bend.mateArm, mateFixed) ||
-        !orbits.hasRoom(run, axis, bend.arm) || !orbits.hasRoom(mate, axis, bend.mateArm)) {
+        !orbits.hasRoom(run, axis, bend.arm) || !orbits.hasRoom(mate, axis, bend.mateArm) ||
+        !layout::mayLie(state.problem(), run, bend.arm) ||
+        !layout::mayLie(state.problem(), mate, bend.mateArm)) {
       continue;
     }
     kept = rest < least ? 0 : kept;

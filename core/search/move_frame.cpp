@@ -13,11 +13,15 @@ using base::at;
 using layout::Beam;
 using layout::Cover;
 
-//! Whether no symmetry binds a site's runs, and all have its hole axis or may turn to it.
-bool mayLieAt(const SearchState& state, const layout::FrameSite& site) {
+//! Whether no symmetry binds a site's runs, nothing that is kept there stands in the way, and all
+//! have its hole axis or may turn to it.
+bool mayLieAt(const SearchState& state, const layout::FrameSite& site, int layer) {
   const Covering& covering = state.covering();
   return std::all_of(site.arms.begin(), site.arms.end(), [&](const layout::SiteArm& arm) {
-    return !covering.orbits().binds(arm.run) && !covering.axles().mustHave(arm.run) &&
+    Beam bar = arm.beam;
+    bar.layer = layer;
+    return layout::mayLie(state.problem(), arm.run, bar) && !covering.orbits().binds(arm.run) &&
+           !covering.axles().mustHave(arm.run) &&
            (state.options().parts.turns || state.coverOf(arm.run).axis == site.axis);
   });
 }
@@ -59,7 +63,7 @@ bool layFrame(SearchState& state, const MoveContext& context) {
   const int place = places[state.rng().below(static_cast<std::uint32_t>(places.size()))];
   const layout::FrameSite& site = state.problem().sites[at(place)];
   const int layer = site.exact ? 0 : static_cast<int>(state.rng().below(3)) - 1;
-  if (!mayLieAt(state, site)) {
+  if (!mayLieAt(state, site, layer)) {
     return false;
   }
   const std::vector<int> covered = makeRoom(state, site);

@@ -58,7 +58,7 @@ bool clearMany(SearchState& state, const MoveContext& context) {
   std::vector<layout::Cover> before;
   for (const int run : cleared) {
     before.push_back(state.coverOf(run));
-    state.place(run, {state.coverOf(run).axis, {}});
+    state.place(run, layout::bareCover(state.problem(), run, state.coverOf(run).axis));
   }
   for (std::size_t i = cleared.size(); i > 1; --i) {
     const std::size_t j = state.rng().below(static_cast<std::uint32_t>(i));

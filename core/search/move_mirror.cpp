@@ -31,7 +31,8 @@ bool recoverCrossing(SearchState& state, int run, const Manner& manner) {
 bool mirrorLayers(SearchState& state, const MoveContext& context) {
   const int run = context.pick.run;
   layout::Cover cover = state.coverOf(run);
-  if (state.graph().runs[at(run)].exact || layout::hasArms(cover) || cover.axle.used()) {
+  if (state.graph().runs[at(run)].exact || layout::hasArms(cover) || cover.axle.used() ||
+      state.problem().keepOf(run) != nullptr) {
     return false;
   }
   const OrbitCovers& orbits = state.covering().orbits();

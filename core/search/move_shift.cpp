@@ -44,10 +44,11 @@ std::vector<int> planeOf(const SearchState& state, int run) {
 }
 
 //! Whether the beams of a run may take their new layers: false for an exact line, a frame, an axle,
-//! and where a layer would be too far.
+//! where something is kept, and where a layer would be too far.
 bool mayShift(const SearchState& state, int run, const LayerMap& map) {
   const layout::Cover& cover = state.coverOf(run);
-  if (state.graph().runs[at(run)].exact || cover.axle.used()) {
+  if (state.graph().runs[at(run)].exact || cover.axle.used() ||
+      state.problem().keepOf(run) != nullptr) {
     return false;
   }
   return std::all_of(cover.beams.begin(), cover.beams.end(), [&](const layout::Beam& beam) {

@@ -85,13 +85,14 @@ bool AxleTrials::beginTrial(const AxleFamily& family) {
 }
 
 //! Clears the runs of a family, and what they meet where its hole axis must turn. \return False
-//! where a bent beam or a frame forbids it, or an axle of an earlier trial lies there.
+//! where a bent beam, a frame or what the sketch keeps forbids it, or an axle of an earlier trial
+//! lies there.
 bool AxleTrials::clear(const AxleFamily& family, lattice::Axis axis) {
   layout::Layout& layout = state().layout();
   touched_ = {family.runs.begin(), family.runs.end()};
   turned_.clear();
   for (const int run : family.runs) {
-    if (state().coverOf(run).axle.used()) {
+    if (state().coverOf(run).axle.used() || state().problem().keepOf(run) != nullptr) {
       return false;
     }
     layout.setCover(run, {state().coverOf(run).axis, {}});
@@ -100,7 +101,7 @@ bool AxleTrials::clear(const AxleFamily& family, lattice::Axis axis) {
       if (state().coverOf(met).axis == axis) {
         continue;
       }
-      if (layout::hasArms(state().coverOf(met))) {
+      if (layout::hasArms(state().coverOf(met)) || state().problem().keepOf(met) != nullptr) {
         return false;
       }
       turned_.push_back(met);

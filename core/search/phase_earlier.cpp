@@ -19,10 +19,11 @@ Next FromEarlier::begin() {
   if (options.earlier.empty() || state().covering().orbits().active()) {
     return goTo<FirstLayout>();
   }
-  const KeptRuns kept =
+  KeptRuns kept =
       keepRuns(state().graph(),
                options.earlier,
                {options.lengths, options.bends, options.frames, state().problem().sites});
+  dropUnwanted(state().problem(), &kept);
   if (2 * kept.kept < static_cast<int>(state().graph().runs.size())) {
     return goTo<FirstLayout>();
   }
@@ -46,7 +47,7 @@ void FromEarlier::lay(const KeptRuns& kept) {
   for (int r = 0; r < static_cast<int>(graph.runs.size()); ++r) {
     const guide::GuideRun& run = graph.runs[at(r)];
     const std::optional<layout::Cover>& cover = kept.covers[at(r)];
-    layout.setCover(r, cover.value_or(layout::Cover{run.axes.front(), {}}));
+    layout.setCover(r, cover.value_or(layout::bareCover(state().problem(), r, run.axes.front())));
     if (!cover) {
       fresh.push_back(r);
       mostBeams_ += guide::fewestBeams(graph, run) + 1;

@@ -61,7 +61,7 @@ void layFirst(SearchState& state, int starts) {
   const guide::Orientation orientation = orientationOf(state, starts);
   // The first covers see hole axes but no beams; the later ones see what was laid before them.
   for (int r = 0; r < runs; ++r) {
-    layout.setCover(r, {orientation[at(r)], {}});
+    layout.setCover(r, layout::bareCover(state.problem(), r, orientation[at(r)]));
   }
   const guide::LayerField field = guide::makeLayerField(state.graph(), orientation, &state.rng());
   for (int r = 0; r < runs; ++r) {

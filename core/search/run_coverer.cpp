@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 
 #include "base/index.h"
 #include "search/tuning.h"
@@ -51,6 +52,18 @@ bool markFixed(std::span<const Beam> fixed, Cover* cover) {
     }
     return found;
   });
+}
+
+//! Beams that a cover must contain, and those that the sketch keeps there.
+std::vector<Beam> withKept(std::span<const Beam> fixed, const layout::RunKeep* keep) {
+  std::vector<Beam> all(fixed.begin(), fixed.end());
+  if (keep != nullptr) {
+    std::copy_if(
+        keep->beams.begin(), keep->beams.end(), std::back_inserter(all), [&](const Beam& beam) {
+          return std::find(fixed.begin(), fixed.end(), beam) == fixed.end();
+        });
+  }
+  return all;
 }
 
 }  // namespace
@@ -220,8 +233,11 @@ Cover RunCoverer::coverTo(int state, lattice::Axis axis) const {
 }
 
 std::optional<Cover> RunCoverer::propose(const layout::Layout& layout,
-                                         const CoverRequest& request,
+                                         const CoverRequest& asked,
                                          base::Rng* rng) {
+  CoverRequest request = asked;
+  const std::vector<Beam> fixed = withKept(asked.fixed, problem_->keepOf(asked.run));
+  request.fixed = fixed;
   prepare(layout, request, rng);
   const int end = cheapestEnd();
   if (end < 0) {

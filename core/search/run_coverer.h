@@ -25,9 +25,10 @@ class RunCoverer {
   RunCoverer(const layout::LayoutProblem& problem, std::vector<int> lengths, CoverCosts costs);
 
   //! \return The cheapest cover that a request allows, under its noise; nothing when there is none.
+  //! What the sketch keeps on the run (layout/keeps.h) is in it besides.
   //! No request leaves anything behind for the next one.
   std::optional<layout::Cover> propose(const layout::Layout& layout,
-                                       const CoverRequest& request,
+                                       const CoverRequest& asked,
                                        base::Rng* rng);
 
   //! \brief What all proposals took, in beams looked at: a measure of time that is no clock.

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sketch/json_text.h"
+#include "sketch/keep_json.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::sketch {
@@ -106,6 +107,47 @@ bool readLines(const json& value, FieldReader& fields, int lineCount, SketchColo
   return true;
 }
 
+bool readParts(const json& value, FieldReader& fields, SketchColours& colours) {
+  const std::string list = "colours.parts";
+  if (!fields.array(value, list, "objects")) {
+    return false;
+  }
+  if (value.size() > kMaxPaintedParts) {
+    return fields.fail(list,
+                       std::to_string(value.size()) + " elements; at most " +
+                           std::to_string(kMaxPaintedParts) + " are read");
+  }
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::string place = elementPlace(list, i);
+    PaintedPart painted;
+    if (!fields.object(value[i], place, {"part", "at", "colour"})) {
+      return false;
+    }
+    const json* const part = fields.required(value[i], "part", place, "an LDraw part number");
+    const json* const at = fields.required(value[i], "at", place, "three numbers [x, y, z]");
+    const json* const colour = fields.required(value[i], "colour", place, "an LDraw code");
+    if (part == nullptr || at == nullptr || colour == nullptr ||
+        !readPartNumber(*part, fields, memberPlace(place, "part"), painted.part) ||
+        !fields.vector(*at, memberPlace(place, "at"), kMaxCoordinate, painted.at) ||
+        !readCode(*colour, fields, memberPlace(place, "colour"), painted.colour)) {
+      return false;
+    }
+    colours.parts.push_back(std::move(painted));
+  }
+  return true;
+}
+
+std::string numberText(double value) {
+  const std::string text = json(value).dump();
+  return text == "-0.0" ? "0.0" : text;
+}
+
+std::string paintedText(const PaintedPart& painted) {
+  return R"({"part": ")" + painted.part + R"(", "at": [)" + numberText(painted.at.x) + ", " +
+         numberText(painted.at.y) + ", " + numberText(painted.at.z) + R"(], "colour": )" +
+         std::to_string(painted.colour) + "}";
+}
+
 template <typename Key>
 std::string codesText(const std::map<Key, int>& codes) {
   std::string text;
@@ -138,6 +180,13 @@ std::string coloursText(const SketchColours& colours) {
   if (!colours.lines.empty()) {
     add("lines", codesText(colours.lines));
   }
+  if (!colours.parts.empty()) {
+    std::string parts;
+    for (const PaintedPart& painted : colours.parts) {
+      parts += (parts.empty() ? "" : ", ") + paintedText(painted);
+    }
+    add("parts", "[" + parts + "]");
+  }
   return "{" + text + "}";
 }
 
@@ -148,7 +197,7 @@ bool readColours(const json& document, FieldReader& fields, int lineCount, Sketc
   if (member == document.end()) {
     return true;
   }
-  if (!fields.object(*member, "colours", {"scheme", "default", "kinds", "lines"})) {
+  if (!fields.object(*member, "colours", {"scheme", "default", "kinds", "lines", "parts"})) {
     return false;
   }
   const auto value = [&](const char* key) -> const json* {
@@ -166,7 +215,11 @@ bool readColours(const json& document, FieldReader& fields, int lineCount, Sketc
     return false;
   }
   const json* lines = value("lines");
-  return lines == nullptr || readLines(*lines, fields, lineCount, colours);
+  if (lines != nullptr && !readLines(*lines, fields, lineCount, colours)) {
+    return false;
+  }
+  const json* parts = value("parts");
+  return parts == nullptr || readParts(*parts, fields, colours);
 }
 
 SketchColours coloursOf(std::string_view text) {
@@ -182,9 +235,9 @@ SketchColours coloursOf(std::string_view text) {
   return colours;
 }
 
-std::string writeSketch(const Sketch& sketch, const SketchColours& colours) {
+std::string writeSketch(const Sketch& sketch, const SketchColours& colours, const Keeps& keeps) {
   std::string text = writeSketch(sketch);
-  if (colours.empty()) {
+  if (colours.empty() && keeps.empty()) {
     return text;
   }
   // Both versions differ in their number and in what may follow.
@@ -194,7 +247,9 @@ std::string writeSketch(const Sketch& sketch, const SketchColours& colours) {
     text.replace(place, number.size(), "\"version\": 2");
   }
   text.resize(text.rfind("\n}"));
-  return text + ",\n  \"colours\": " + coloursText(colours) + "\n}\n";
+  text += keepsText(keeps);
+  text += colours.empty() ? "" : ",\n  \"colours\": " + coloursText(colours);
+  return text + "\n}\n";
 }
 
 }  // namespace liftarm::sketch

@@ -8,6 +8,7 @@
 #include "sketch/closings.h"
 #include "sketch/json_fields.h"
 #include "sketch/json_text.h"
+#include "sketch/keep_json.h"
 #include "sketch/sketch_checks.h"
 #include "sketch/sketch_colours.h"
 #include "sketch/snap.h"
@@ -20,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::string_view kFormat = "technic-sketch";
 constexpr double kVersion = 1;
-constexpr double kLatestVersion = 2;  // adds colours and what joints must do
+constexpr double kLatestVersion = 2;  // adds colours, what joints must do and what is to stay
 
 //! Reads the members of a document into a sketch, in the order in which a person would.
 class SketchReader {
@@ -29,7 +30,7 @@ class SketchReader {
 
   base::Result<Reading> read() {
     if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_) ||
-        !checkColours()) {
+        !checkKeeps() || !checkColours()) {
       return fields_.error();
     }
     std::vector<Line> drawn = sketch_.lines;
@@ -79,6 +80,7 @@ class SketchReader {
                                     "symmetries",
                                     "keepOut",
                                     "ground",
+                                    "keep",
                                     "colours"})
                   : fields_.object(document_,
                                    "",
@@ -96,6 +98,12 @@ class SketchReader {
   bool checkColours() {
     SketchColours colours;
     return readColours(document_, fields_, static_cast<int>(sketch_.lines.size()), colours);
+  }
+
+  //! Whoever searches reads again what is to stay (keep_json.h).
+  bool checkKeeps() {
+    Keeps keeps;
+    return readKeeps(document_, fields_, sketch_, keeps);
   }
 
   bool readName() {

@@ -69,7 +69,31 @@ const SKETCH = {
   ],
   keepOut: [{ min: [8, 8, 8], max: [9, 9, 9] }],
   ground: 0,
-  colours: { scheme: 'length', default: 71, kinds: { pin: 0 }, lines: { 1: 4 } },
+  keep: [
+    {
+      line: 0,
+      parts: [
+        {
+          part: '32316',
+          from: 0,
+          to: 4,
+          layer: 1,
+          holeAxis: 'y',
+          with: [{ line: 1, from: 0, to: 2 }],
+        },
+      ],
+      barred: [{ part: '32316', from: 0, to: 4 }],
+      layers: [0, 1],
+      splits: [2],
+    },
+  ],
+  colours: {
+    scheme: 'length',
+    default: 71,
+    kinds: { pin: 0 },
+    lines: { 1: 4 },
+    parts: [{ part: '32316', at: [2, 0, 1], colour: 4 }],
+  },
 };
 
 const TEXTS = [

@@ -53,6 +53,23 @@ const STATE_4 = {
   } satisfies SketchDocument,
 };
 
+/** And what version 5 added. */
+const STATE_5 = {
+  ...STATE_4,
+  sketch: {
+    ...STATE_4.sketch,
+    colours: { ...STATE_4.sketch.colours, parts: [{ part: '32524', at: [3, 1, 0], colour: 2 }] },
+    keep: [
+      {
+        line: 0,
+        parts: [{ part: '32524', from: 0, to: 6, layer: 1, holeAxis: 'y' }],
+        splits: [3],
+      },
+      { line: 1, barred: [{ part: '40490', from: -1, to: 7 }], layers: [0] },
+    ],
+  } satisfies SketchDocument,
+};
+
 async function fragment(): Promise<string> {
   const encoded = await encodeShare(STATE);
   return encoded.ok ? encoded.value : '';
@@ -85,6 +102,19 @@ describe('share link', () => {
     const path = new URL('./fixtures/v4-seesaw.txt', import.meta.url);
     const read = await decodeShare(readFileSync(path, 'utf8').trim());
     expect(read).toEqual({ ok: true, value: STATE_4 });
+  });
+
+  it('holds what is kept of the model, and colours of single parts', async () => {
+    const encoded = await encodeShare(STATE_5);
+    expect(encoded.ok && encoded.value.startsWith('s5.')).toBe(true);
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read).toEqual({ ok: true, value: STATE_5 });
+  });
+
+  it('reads the links of version 5 for ever', async () => {
+    const path = new URL('./fixtures/v5-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE_5 });
   });
 
   it('holds settings and symmetries of both kinds', async () => {

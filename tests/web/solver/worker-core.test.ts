@@ -63,6 +63,11 @@ function countingModule(steps: number) {
     freeMotionJson: (text, motion) => ({ status: 'ok', text: `motion ${motion} of ${text}` }),
     placementsJson: (text) => ({ status: 'ok', text }),
     findSymmetriesJson: (text) => ({ status: 'ok', text }),
+    partPlacesJson: (text, layout) => ({ status: 'ok', text: `places of ${text} on ${layout}` }),
+    fittingPartsJson: (text, _layout, _settings, part) => ({
+      status: 'ok',
+      text: `fits for ${part} of ${text}`,
+    }),
     exportModel: (text, format) => ({ status: 'ok', text: `${text} as ${format}` }),
     contractJson: () => '{}',
   };

@@ -7,6 +7,8 @@ export interface Problem {
   readonly at?: Vec3;
   /** Indices into the model's parts. */
   readonly parts?: readonly number[];
+  /** Of kind `keep`: the line on which what is kept cannot be. */
+  readonly line?: number;
 }
 
 /** A straight piece of the sketch, modules. */

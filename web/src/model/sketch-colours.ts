@@ -1,3 +1,6 @@
+import type { Vec3 } from '../geometry/vec.ts';
+import { isPartNumber } from './keep.ts';
+
 // What a sketch of version 2 says of colours (DESIGN 3); core/sketch/sketch_colours.h is the authority.
 
 /** How beams are coloured where nothing else is said. */
@@ -5,12 +8,21 @@ export const COLOUR_SCHEMES = ['length', 'component', 'usual'] as const;
 export type ColourPlan = (typeof COLOUR_SCHEMES)[number];
 
 const COLOUR_KINDS = ['beam', 'bent', 'pin', 'axle', 'connector', 'bush', 'gear'];
-const KEYS = ['scheme', 'default', 'kinds', 'lines'];
+const KEYS = ['scheme', 'default', 'kinds', 'lines', 'parts'];
+const MOST_PARTS = 20000;
+const MAX_COORDINATE = 2000;
 const MAX_COLOUR = 511;
 /** LDraw's stand-ins for "as the whole" and "as its edges". */
 const NO_COLOURS = [16, 24];
 
-/** LDraw codes. A line's goes before that of a kind, that before the default, that before the scheme. */
+/** The colour of the part with this number whose origin is here, modules. */
+export interface PaintedPart {
+  readonly part: string;
+  readonly at: Vec3;
+  readonly colour: number;
+}
+
+/** LDraw codes. A part's goes before that of its line, a line's goes before that of a kind, that before the default, that before the scheme. */
 export interface SketchColours {
   readonly scheme?: ColourPlan;
   /** Of beams. */
@@ -18,16 +30,18 @@ export interface SketchColours {
   readonly kinds?: Readonly<Record<string, number>>;
   /** By the number of a line. */
   readonly lines?: Readonly<Record<string, number>>;
+  readonly parts?: readonly PaintedPart[];
 }
 
 /** Colours in the order in which they are written, without what is empty; null where nothing is said. */
 export function tidyColours(colours: SketchColours): SketchColours | null {
-  const { scheme, default: all, kinds, lines } = colours;
+  const { scheme, default: all, kinds, lines, parts } = colours;
   const tidy: SketchColours = {
     ...(scheme === undefined ? {} : { scheme }),
     ...(all === undefined ? {} : { default: all }),
     ...(kinds && Object.keys(kinds).length > 0 ? { kinds } : {}),
     ...(lines && Object.keys(lines).length > 0 ? { lines } : {}),
+    ...(parts && parts.length > 0 ? { parts } : {}),
   };
   return Object.keys(tidy).length > 0 ? tidy : null;
 }
@@ -41,7 +55,7 @@ export function coloursFault(value: unknown, lineCount: number): string | null {
   if (stray !== undefined) {
     return `colours: ${stray.slice(0, 20)} is not known`;
   }
-  const { scheme, default: all, kinds = {}, lines = {} } = value;
+  const { scheme, default: all, kinds = {}, lines = {}, parts = [] } = value;
   if (scheme !== undefined && !COLOUR_SCHEMES.some((known) => known === scheme)) {
     return `colours.scheme: should be one of ${COLOUR_SCHEMES.join(', ')}`;
   }
@@ -50,8 +64,29 @@ export function coloursFault(value: unknown, lineCount: number): string | null {
   }
   return (
     codesFault(kinds, 'colours.kinds', (key) => COLOUR_KINDS.includes(key)) ??
-    codesFault(lines, 'colours.lines', (key) => isLine(key, lineCount))
+    codesFault(lines, 'colours.lines', (key) => isLine(key, lineCount)) ??
+    partsFault(parts)
   );
+}
+
+function partsFault(value: unknown): string | null {
+  if (!Array.isArray(value) || value.length > MOST_PARTS) {
+    return `colours.parts: should be a list of at most ${MOST_PARTS}`;
+  }
+  const wrong = value.findIndex((painted: unknown) => !isPainted(painted));
+  return wrong < 0 ? null : `colours.parts[${wrong}]: should have part, at and colour`;
+}
+
+function isPainted(value: unknown): value is PaintedPart {
+  if (!isRecord(value)) {
+    return false;
+  }
+  const { part, at, colour, ...rest } = value;
+  const point =
+    Array.isArray(at) &&
+    at.length === 3 &&
+    at.every((x) => Number.isFinite(x) && Math.abs(Number(x)) <= MAX_COORDINATE);
+  return isPartNumber(part) && point && isColour(colour) && Object.keys(rest).length === 0;
 }
 
 function codesFault(value: unknown, place: string, known: (key: string) => boolean): string | null {

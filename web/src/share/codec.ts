@@ -8,6 +8,8 @@ import type {
   SketchSymmetry,
 } from '../model/sketch.ts';
 import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
+import { decodeKeep } from './keep-codec.ts';
+import { checksum, deflate, fromBase64Url, inflate, toBase64Url } from './packing.ts';
 import { decodeRanges, encodeRanges } from './range-codec.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
@@ -31,7 +33,6 @@ export interface SharedSettings {
 }
 
 export const MAX_FRAGMENT = 60_000;
-const MAX_INFLATED = 2_000_000;
 const MAX_LINES = 5000;
 const MAX_COORDINATE = 2000;
 const MAX_TEXT = 120;
@@ -51,11 +52,15 @@ const VERSIONS: Readonly<Record<string, Version>> = {
   '2': { encode: encodeV2, decode: decodeV2 },
   '3': { encode: encodeV3, decode: decodeV3 },
   '4': { encode: encodeV4, decode: decodeV4 },
+  '5': { encode: encodeV5, decode: decodeV5 },
 };
 
 /** The oldest version that holds all of a state: its link is the shortest, and older pages read it. */
 function versionFor(state: SharedState): string {
-  const { colours, joints } = state.sketch;
+  const { colours, joints, keep } = state.sketch;
+  if (keep || colours?.parts) {
+    return '5';
+  }
   return joints?.some((joint) => joint.range) ? '4' : colours ? '3' : '2';
 }
 
@@ -210,6 +215,21 @@ function decodeV4(value: unknown): SharedState | null {
   return state && sketch ? { ...state, sketch } : null;
 }
 
+// Version 5: version 4 with what is to stay of the model behind it, or 0; single parts have colours.
+
+function encodeV5(state: SharedState): unknown {
+  return [...(encodeV4(state) as unknown[]), state.sketch.keep ?? 0];
+}
+
+function decodeV5(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 12) {
+    return null;
+  }
+  const state = decodeV4(value.slice(0, 11));
+  const sketch = state && decodeKeep(state.sketch, value[11]);
+  return state && sketch ? { ...state, sketch } : null;
+}
+
 /** @returns undefined for the usual settings, null for what is none. */
 function decodeSettings(value: unknown): SharedSettings | null | undefined {
   if (value === 0) {
@@ -352,47 +372,4 @@ function bitsOf(line: SketchLine): number {
 /** Six decimals keep 60-degree points well within the reader's tolerance. */
 function round(value: number): number {
   return Math.round(value * 1e6) / 1e6;
-}
-
-/** A short sum that notices a link cut off or mistyped (FNV-1a, 32 bits, base 36). */
-function checksum(text: string): string {
-  let hash = 0x811c9dc5;
-  for (let i = 0; i < text.length; i++) {
-    hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
-  }
-  return (hash >>> 0).toString(36);
-}
-
-async function deflate(text: string): Promise<Uint8Array> {
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-/** Throws when the bytes are no deflate stream or unpack to more than the limit. */
-async function inflate(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  const reader = stream.getReader();
-  const decoder = new TextDecoder('utf-8', { fatal: true });
-  let text = '';
-  for (;;) {
-    const { done, value } = await reader.read();
-    if (done) {
-      return text + decoder.decode();
-    }
-    text += decoder.decode(value, { stream: true });
-    if (text.length > MAX_INFLATED) {
-      await reader.cancel();
-      throw new RangeError('the link unpacks to too much');
-    }
-  }
-}
-
-function toBase64Url(bytes: Uint8Array): string {
-  const binary = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
-  return btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-}
-
-function fromBase64Url(text: string): Uint8Array<ArrayBuffer> {
-  const binary = atob(text.replaceAll('-', '+').replaceAll('_', '/'));
-  return Uint8Array.from(binary, (character) => character.charCodeAt(0));
 }

@@ -95,7 +95,24 @@ export interface OpensQuestion {
   readonly settings: SolveSettings;
 }
 
+/** Where the parts of a model lie on the lines of its sketch, as `keep` has them. */
+export interface PlacesQuestion {
+  readonly about: 'places';
+  readonly modelJson: string;
+  readonly layoutJson: string;
+  readonly settings: SolveSettings;
+}
+
+/** What else could lie where a part of a model does. */
+export interface FitsQuestion extends Omit<PlacesQuestion, 'about'> {
+  readonly about: 'fits';
+  /** By its index in the model. */
+  readonly part: number;
+}
+
 export type Question =
+  | PlacesQuestion
+  | FitsQuestion
   | StressQuestion
   | MotionQuestion
   | PathQuestion

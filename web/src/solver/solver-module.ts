@@ -52,6 +52,15 @@ export interface SolverModule {
   findSymmetriesJson(sketchJson: string): SolverReply;
   /** All that may be laid for a sketch, for proofs; keys as in core/design/placements.h. */
   placementsJson(sketchJson: string, settingsJson: string): SolverReply;
+  /** Where the parts of a model lie on the lines of its sketch (core/design/part_places.h). */
+  partPlacesJson(modelJson: string, layoutJson: string, settingsJson: string): SolverReply;
+  /** What else could lie where a part of a model does. */
+  fittingPartsJson(
+    modelJson: string,
+    layoutJson: string,
+    settingsJson: string,
+    part: number,
+  ): SolverReply;
   exportModel(modelJson: string, format: string): SolverReply;
   contractJson(): string;
 }

@@ -107,6 +107,19 @@ function answerTo(module: SolverModule, question: Question): SolverReply {
       return openedBy(module, question);
     case 'placements':
       return module.placementsJson(question.sketchJson, settingsText(question.settings));
+    case 'places':
+      return module.partPlacesJson(
+        question.modelJson,
+        question.layoutJson,
+        settingsText(question.settings),
+      );
+    case 'fits':
+      return module.fittingPartsJson(
+        question.modelJson,
+        question.layoutJson,
+        settingsText(question.settings),
+        question.part,
+      );
     case 'stress':
       return module.analyseStressJson(question.modelJson, question.optionsJson);
     case 'motion':

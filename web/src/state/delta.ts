@@ -1,3 +1,4 @@
+import type { Keep } from '../model/keep.ts';
 import {
   type KeepOutBox,
   type SketchDocument,
@@ -7,6 +8,7 @@ import {
   versionOf,
 } from '../model/sketch.ts';
 import type { SketchColours } from '../model/sketch-colours.ts';
+import { setKeep } from './keeps.ts';
 import { setColours } from './paint-lines.ts';
 
 /** One replaced stretch of a list: `removed` stood at `at` before, `added` stands there after. */
@@ -31,6 +33,7 @@ export interface SketchDelta {
   readonly name?: Change<string>;
   readonly ground?: Change<number>;
   readonly colours?: Change<SketchColours>;
+  readonly keep?: Change<readonly Keep[]>;
 }
 
 const LISTS = ['lines', 'joints', 'symmetries', 'keepOut'] as const;
@@ -66,6 +69,7 @@ export function diffSketch(before: SketchDocument, after: SketchDocument): Sketc
     name: diffValue(before.name, after.name),
     ground: diffValue(before.ground, after.ground),
     colours: diffValue(before.colours, after.colours),
+    keep: diffValue(before.keep, after.keep),
   };
   // A field that did not change is left out, so that an empty delta is an empty object.
   return Object.fromEntries(Object.entries(delta).filter(([, change]) => change !== undefined));
@@ -86,6 +90,7 @@ export function invertDelta(delta: SketchDelta): SketchDelta {
   if (delta.name) inverse.name = { before: delta.name.after, after: delta.name.before };
   if (delta.ground) inverse.ground = { before: delta.ground.after, after: delta.ground.before };
   if (delta.colours) inverse.colours = { before: delta.colours.after, after: delta.colours.before };
+  if (delta.keep) inverse.keep = { before: delta.keep.after, after: delta.keep.before };
   return inverse;
 }
 
@@ -105,20 +110,27 @@ export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDo
     delta.symmetries && applySplice(sketch.symmetries ?? [], delta.symmetries),
   );
   setList(next, 'keepOut', delta.keepOut && applySplice(sketch.keepOut ?? [], delta.keepOut));
-  if (delta.name) {
-    if (delta.name.after === null) delete next.name;
-    else next.name = delta.name.after;
-  }
-  if (delta.ground) {
-    if (delta.ground.after === null) delete next.ground;
-    else next.ground = delta.ground.after;
-  }
-  return withColours(ofVersion(next, delta), delta.colours);
+  setValue(next, 'name', delta.name);
+  setValue(next, 'ground', delta.ground);
+  const kept = delta.keep ? setKeep(next, delta.keep.after ?? []) : next;
+  return withColours(ofVersion(kept, delta), delta.colours);
 }
 
 /** Ranges of joints are of version 2. */
 function ofVersion(sketch: SketchDocument, { joints }: SketchDelta): SketchDocument {
   return joints ? { ...sketch, version: versionOf(sketch) } : sketch;
+}
+
+function setValue<K extends 'name' | 'ground'>(
+  sketch: Mutable<SketchDocument>,
+  key: K,
+  change: Change<NonNullable<SketchDocument[K]>> | undefined,
+): void {
+  if (change?.after === null) {
+    delete sketch[key];
+  } else if (change) {
+    sketch[key] = change.after;
+  }
 }
 
 function withColours(
@@ -133,12 +145,13 @@ export function isDelta(value: unknown): value is SketchDelta {
   if (!isRecord(value)) {
     return false;
   }
-  const { name, ground, colours } = value;
+  const { name, ground, colours, keep } = value;
   return (
     LISTS.every((key) => value[key] === undefined || isSplice(value[key])) &&
     (name === undefined || isChange(name, 'string')) &&
     (ground === undefined || isChange(ground, 'number')) &&
-    (colours === undefined || isChange(colours, 'object'))
+    (colours === undefined || isChange(colours, 'object')) &&
+    (keep === undefined || isChange(keep, 'object'))
   );
 }
 

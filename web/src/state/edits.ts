@@ -10,6 +10,7 @@ import {
 } from '../model/sketch.ts';
 
 import { followLines } from './follow-lines.ts';
+import { followKeep, renumberKeep } from './keeps.ts';
 import { paintLines, renumberColours } from './paint-lines.ts';
 
 // Every edit is a function from a sketch to a sketch; nothing here touches a store.
@@ -62,7 +63,7 @@ export function removeLines(sketch: SketchDocument, indices: ReadonlySet<number>
     }
   });
   const next = withReferences({ ...sketch, lines }, sketch, renumbered);
-  return renumberColours(next, renumbered);
+  return renumberKeep(renumberColours(next, renumbered), renumbered);
 }
 
 /** Replaces the lines at the given indices, one for one. */
@@ -70,7 +71,8 @@ export function replaceLines(
   sketch: SketchDocument,
   changed: ReadonlyMap<number, SketchLine>,
 ): SketchDocument {
-  return { ...sketch, lines: sketch.lines.map((line, i) => changed.get(i) ?? line) };
+  const lines = sketch.lines.map((line, i) => changed.get(i) ?? line);
+  return followKeep(sketch.lines, { ...sketch, lines });
 }
 
 /** Moves, turns or mirrors some lines in place, with what is said about them. */
@@ -140,7 +142,7 @@ export function splitAt(sketch: SketchDocument, index: number, at: Vec3): Sketch
     return sketch;
   }
   const lines = sketch.lines.map((old, i) => (i === index ? halves[0] : old));
-  const split = { ...sketch, lines: [...lines, halves[1]] };
+  const split = followKeep(sketch.lines, { ...sketch, lines: [...lines, halves[1]] });
   const colour = sketch.colours?.lines?.[index];
   return colour === undefined ? split : paintLines(split, new Set([lines.length]), colour);
 }

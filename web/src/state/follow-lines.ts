@@ -6,6 +6,7 @@ import {
   type SketchLine,
   type SketchSymmetry,
 } from '../model/sketch.ts';
+import { followKeep } from './keeps.ts';
 
 // What is said about lines goes with them when they are moved.
 
@@ -23,12 +24,12 @@ export function followLines(move: Move): SketchDocument {
   const kept = joints.flatMap((joint) => jointAfter(joint, move));
   const all = move.before.lines.every((_, index) => move.moved.has(index));
   const held = all ? symmetries.map((symmetry) => symmetryAfter(symmetry, move)) : symmetries;
-  return {
+  return followKeep(move.before.lines, {
     ...rest,
     lines: move.lines,
     ...(kept.length > 0 ? { joints: kept } : {}),
     ...(held.length > 0 ? { symmetries: held } : {}),
-  };
+  });
 }
 
 /** Whether a place is a node of a line, its ends included. */

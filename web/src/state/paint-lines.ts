@@ -1,5 +1,14 @@
+import { distance } from '../geometry/vec.ts';
 import { type SketchDocument, versionOf } from '../model/sketch.ts';
-import { type ColourPlan, type SketchColours, tidyColours } from '../model/sketch-colours.ts';
+import {
+  type ColourPlan,
+  type PaintedPart,
+  type SketchColours,
+  tidyColours,
+} from '../model/sketch-colours.ts';
+
+/** Modules within which a part is the one that was painted. */
+const SAME_PLACE = 0.01;
 
 // Edits of what a sketch says of colours.
 
@@ -36,6 +45,19 @@ export function paintLines(
     ...sketch.colours,
     lines: Object.fromEntries([...kept, ...painted]),
   });
+}
+
+/** Gives one part of the model a colour, or takes its own away with null. */
+export function paintPart(
+  sketch: SketchDocument,
+  { part, at }: Pick<PaintedPart, 'part' | 'at'>,
+  colour: number | null,
+): SketchDocument {
+  const others = (sketch.colours?.parts ?? []).filter(
+    (painted) => painted.part !== part || distance(painted.at, at) > SAME_PLACE,
+  );
+  const own = colour === null ? [] : [{ part, at, colour }];
+  return setColours(sketch, { ...sketch.colours, parts: [...others, ...own] });
 }
 
 /** What a sketch says of colours once its lines have other numbers; lines without one are gone. */

@@ -1,5 +1,6 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { AxisName, Vec3 } from '../geometry/vec.ts';
+import { type Keep, keepFault } from '../model/keep.ts';
 import {
   isRange,
   type KeepOutBox,
@@ -93,9 +94,10 @@ function readDocument(json: unknown): SketchDocument {
   );
   const keepOut = optional('keepOut').map((value, i) => readBox(value, `keepOut[${i}]`));
   const colours = readColours(root, lines.length);
+  const keep = readKeep(root, lines);
   return {
     format: 'technic-sketch',
-    version: versionOf({ joints, ...(colours ? { colours } : {}) }),
+    version: versionOf({ joints, ...(colours ? { colours } : {}), ...(keep ? { keep } : {}) }),
     ...(typeof root['name'] === 'string' ? { name: root['name'].slice(0, MAX_NAME) } : {}),
     lines,
     ...(joints.length > 0 ? { joints } : {}),
@@ -104,8 +106,28 @@ function readDocument(json: unknown): SketchDocument {
     ...(root['ground'] === undefined || root['ground'] === null
       ? {}
       : { ground: coordinate(root['ground'], 'ground') }),
+    ...(keep ? { keep } : {}),
     ...(colours ? { colours } : {}),
   };
+}
+
+/** Version 1 keeps nothing. */
+function readKeep(
+  root: Record<string, unknown>,
+  lines: readonly SketchLine[],
+): readonly Keep[] | null {
+  const { keep } = root;
+  if (root['version'] === 1 || keep === undefined) {
+    return null;
+  }
+  const fault = keepFault(
+    keep,
+    lines.map((line) => Math.round(lineLength(line))),
+  );
+  if (fault !== null) {
+    throw new Refusal(fault);
+  }
+  return keep as readonly Keep[];
 }
 
 /** Version 1 has no colours; nothing else tells the two apart. */

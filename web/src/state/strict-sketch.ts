@@ -30,7 +30,7 @@ type Fields = Readonly<Record<string, unknown>>;
 /** The first thing that is wrong with a file whose sketch could be read, or null. */
 export function strictFault(json: unknown, sketch: SketchDocument): string | null {
   const root = json as Fields;
-  const keys = root['version'] === 2 ? [...ROOT, 'colours'] : ROOT;
+  const keys = root['version'] === 2 ? [...ROOT, 'keep', 'colours'] : ROOT;
   return (
     unknownKey(root, keys) ??
     nameFault(root['name']) ??
