@@ -40,6 +40,7 @@ import { SETTLED } from './first-model.ts';
 import { followLanguage } from './follow-language.ts';
 import { keepPreferences, openLibrary, openStore } from './keeping.ts';
 import { listenToKeys } from './keyboard.ts';
+import { ModelTouch } from './model-touch.ts';
 import { openLink } from './open-link.ts';
 import { PageController } from './page-controller.ts';
 import { followRoom } from './room-route.ts';
@@ -57,14 +58,31 @@ async function fetchJson(path: string): Promise<unknown> {
   return reply.ok ? reply.json() : null;
 }
 
-function pageOf(controller: PageController): Page {
+function pageOf(controller: PageController, client: SolverClient): Page {
   const { state, toaster, scene } = controller;
   const thumbnails = new Thumbnails(state.catalogue);
+  const touch = new ModelTouch({
+    state,
+    client,
+    run: controller.run,
+    settings: () => settingsOf(state.preferences.value),
+  });
+  touch.start();
   return {
     ...state,
     commands: commandTable(controller),
     toasts: toaster.toasts,
     webglMissing: scene.webglMissing,
+    places: touch.places,
+    touchModel: ({ label, next, index, place }) => {
+      if (index !== null) {
+        touch.follow(index, place);
+      }
+      controller.edit(label, next);
+      controller.regrow();
+    },
+    fits: (part, signal) => touch.fits(part, signal),
+    tryPart: (before, after, signal) => touch.tryPart(before, after, signal),
     mac: /mac/i.test(navigator.platform),
     mountScene: (host) => scene.mount(host),
     view: () => scene.view,
@@ -189,7 +207,7 @@ async function start(): Promise<void> {
   document.documentElement.lang = language;
   // Asked for before the page is drawn, so that the first picture does not wait for the answer.
   const opening = openStore((message) => controller.warn(message));
-  const page = pageOf(controller);
+  const page = pageOf(controller, client);
   const root = document.getElementById('app');
   if (!root) {
     throw new Error('index.html has no #app');

@@ -2,6 +2,7 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { Model } from '../model/model.ts';
 import type { Problem } from '../model/report.ts';
+import { emptySketch } from '../model/sketch.ts';
 import { jointIndex } from '../state/joint-edits.ts';
 import type { PointerInput, ToolView } from '../tools/tool.ts';
 import type { PointerTaker } from '../ui/page.ts';
@@ -14,6 +15,7 @@ import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
 import { SceneAxes } from './scene-axes.ts';
 import { SceneLabel } from './scene-label.ts';
+import { SceneLocks } from './scene-locks.ts';
 
 const NOTHING: Pick = { line: null, node: null };
 /** A press that moves farther than this is a drag. */
@@ -31,8 +33,9 @@ export class SceneBridge implements PointerTarget {
   readonly drawnModel: ReadonlySignal<Model | null> = this.#drawnModel;
   #view: SceneView | null = null;
   #canvas: HTMLCanvasElement | null = null;
-  /** Made with the scene: it needs a document. */
+  /** Made with the scene: they need a document. */
   #label: SceneLabel | null = null;
+  #locks: SceneLocks | null = null;
   #coarse = false;
   #nextInterim = 0;
   #lastModel: Model | null = null;
@@ -67,8 +70,10 @@ export class SceneBridge implements PointerTarget {
     canvas.setAttribute('aria-describedby', 'drawing-help');
     const label = new SceneLabel();
     const axes = new SceneAxes();
-    host.append(canvas, axes.element, label.element);
+    const locks = new SceneLocks();
+    host.append(canvas, axes.element, locks.element, label.element);
     this.#label = label;
+    this.#locks = locks;
     this.#canvas = canvas;
     // Before the view: its controls must find the navigation that fits the press.
     const feed = new PointerFeed(host, canvas, this);
@@ -95,6 +100,7 @@ export class SceneBridge implements PointerTarget {
       this.#view = null;
       canvas.remove();
       axes.element.remove();
+      locks.element.remove();
       label.element.remove();
     };
   }
@@ -201,6 +207,7 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#view?.setCovered(findRoom(state.room.value) !== null)),
       effect(() => this.#showOverlay(host)),
       effect(() => this.#joint.show(this.#view, state, handle.value)),
+      effect(() => this.#showLocks()),
     ];
     return () => {
       for (const stop of stops) {
@@ -261,10 +268,19 @@ export class SceneBridge implements PointerTarget {
     this.#placeLabel();
   }
 
+  /** Padlocks lie on a model that is as the sketch wants it. */
+  #showLocks(): void {
+    const { store, shown, preferences } = this.#state;
+    const bare = shown.value === null || preferences.value.show === 'sketch';
+    this.#locks?.set(bare ? emptySketch() : store.sketch.value);
+    this.#placeLabel();
+  }
+
   #placeLabel(): void {
     const view = this.#view;
     if (view) {
       this.#label?.place((at) => view.project(at));
+      this.#locks?.place((at) => view.project(at));
     }
   }
 

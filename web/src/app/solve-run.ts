@@ -40,8 +40,8 @@ export class SolveRun {
   /** Of a check that nobody waits for. */
   #checking: AbortController | null = null;
   #wish: Wish | null = null;
-  /** Of the last search that ended, as text. */
-  #layout: string | null = null;
+  /** Of the model shown, or of the last search that ended, as text. */
+  layout: string | null = null;
   readonly state: ReadonlySignal<SolveState> = this.#state;
   readonly shown: ReadonlySignal<ShownModel | null> = this.#shown;
 
@@ -54,7 +54,7 @@ export class SolveRun {
    * nothing does: it may be laid with what is no longer there.
    */
   regrow(sketch: SketchDocument, settings: SolveSettings): Promise<void> {
-    const layout = this.#wish?.parts === partsText(settings) ? this.#layout : null;
+    const layout = this.#wish?.parts === partsText(settings) ? this.layout : null;
     const earlier = layout === null ? {} : { earlier: JSON.parse(layout) as unknown };
     return this.start(sketch, { ...settings, ...earlier });
   }
@@ -91,7 +91,7 @@ export class SolveRun {
       return;
     }
     this.drop();
-    this.#layout = made.layoutJson;
+    this.layout = made.layoutJson;
     const wish = wishOf(made);
     this.#wish = wish;
     const report = JSON.parse(made.reportJson) as Report;
@@ -131,14 +131,14 @@ export class SolveRun {
     this.#state.value = state;
     const report = timedReport(result);
     if (result.modelJson === made.modelJson) {
-      this.#layout = result.layoutJson;
+      this.layout = result.layoutJson;
       this.#running = null;
       batch(() => {
         this.#shown.value = { ...shown, report };
         this.#addFinal(result.modelJson, report);
       });
     } else {
-      this.#layout = result.layoutJson;
+      this.layout = result.layoutJson;
       await this.#show({ wish: wishOf(made), json: result.modelJson, report }, run);
     }
   }
@@ -185,7 +185,7 @@ export class SolveRun {
     const report: Report = { buildable: check.buildable };
     const sketch = sketchIn(json);
     this.drop();
-    this.#layout = null;
+    this.layout = null;
     batch(() => {
       const of = { sketch, parts: null };
       this.#shown.value = { source: 'file', json, model: model.value, ...of, report, check };
@@ -225,7 +225,7 @@ export class SolveRun {
   /** Takes the model from the screen. */
   clear(): void {
     this.drop();
-    this.#layout = null;
+    this.layout = null;
     this.#shown.value = null;
   }
 
@@ -257,7 +257,7 @@ export class SolveRun {
         await this.#cancelled();
         return;
       case 'solved': {
-        this.#layout = result.layoutJson;
+        this.layout = result.layoutJson;
         await this.#show({ wish, json: result.modelJson, report: timedReport(result) }, run);
       }
     }

@@ -17,7 +17,7 @@ type Taken = ColourPlan | 'one';
 
 const CHOICES = COLOUR_SCHEMES.map((value) => ({ value, label: words.schemes[value] }));
 /** Those in which most beams are sold; the file format knows all. */
-const OFFERED = [0, 1, 2, 4, 14, 15, 25, 27, 71, 72, 321];
+export const OFFERED = [0, 1, 2, 4, 14, 15, 25, 27, 71, 72, 321];
 
 /** How the beams are coloured: by a scheme, all in one colour, and lines in their own. */
 export function ColoursSection() {
@@ -95,6 +95,6 @@ function Swatches(props: {
   );
 }
 
-function hexText({ hex }: BrickColour): string {
+export function hexText({ hex }: BrickColour): string {
   return `#${hex.toString(16).padStart(6, '0')}`;
 }

@@ -3,6 +3,7 @@ import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { PartCount } from '../model/counts.ts';
 import type { FoundSymmetry } from '../model/found-symmetries.ts';
+import type { Place } from '../model/keep.ts';
 import type { Model } from '../model/model.ts';
 import type { PartsList } from '../model/parts-list.ts';
 import type { CheckItem, CheckReport, Problem, Report, WellBuilt } from '../model/report.ts';
@@ -21,6 +22,7 @@ import type { PointerInput, Tool, ToolId } from '../tools/tool.ts';
 import type { SceneView } from '../view/scene-view.ts';
 import type { Isolation, PartDisplay, Section } from '../view/view-types.ts';
 import type { CommandTable } from './command.ts';
+import type { Fits, Trial } from './touch/touch-types.ts';
 
 /** How the last search ended, or that one is under way. */
 export type SolvePhase = 'idle' | 'solving' | 'solved' | 'cancelled' | 'refused' | 'failed';
@@ -95,6 +97,15 @@ export interface ShownModel {
   /** Null while the search is under way. */
   readonly report: Report | null;
   readonly check: CheckReport | null;
+}
+
+/** An edit that takes hold of the model. */
+export interface ModelEdit {
+  readonly label: string;
+  readonly next: SketchDocument;
+  /** The part that was taken hold of, if any, and where it will lie; null: it will not. */
+  readonly index: number | null;
+  readonly place: Place | null;
 }
 
 /** Somebody who wants presses in the scene before the tools and the camera get them. */
@@ -214,6 +225,14 @@ export interface Page {
   toggleKind(kind: PartKind): void;
   /** The brick that was clicked, by index. */
   readonly pickedPart: Signal<number | null>;
+  /** Where each part of the model shown lies on the lines; null until that is known. */
+  readonly places: ReadonlySignal<readonly (Place | null)[] | null>;
+  /** Puts an edit of what is kept into the history, and solves the rest around it at once. */
+  touchModel(touch: ModelEdit): void;
+  /** What else could lie where a part does; null where nothing is known of it. */
+  fits(part: number, signal: AbortSignal): Promise<Fits | null>;
+  /** What a part in place of another makes of the model. */
+  tryPart(before: Place, after: Place, signal: AbortSignal): Promise<Trial>;
   readonly mac: boolean;
   /** Gives the element that the scene is drawn into. @returns what to do when it goes away. */
   mountScene(host: HTMLElement): () => void;

@@ -4,6 +4,7 @@ import { Icon } from './icon.tsx';
 import { usePage } from './page-context.ts';
 import { formatNumber } from './text/language.ts';
 import { text } from './text.ts';
+import { PartActions } from './touch/part-actions.tsx';
 
 /** The brick that was clicked: name, number, colour, how many, and what can be done with it. */
 export function PartCard() {
@@ -50,6 +51,7 @@ export function PartCard() {
         {placed.component >= 0 ? <dt>{text.view.byLayer}</dt> : null}
         {placed.component >= 0 ? <dd>{placed.layer}</dd> : null}
       </dl>
+      <PartActions index={index ?? 0} placed={placed} />
       <div class="actions">
         <CommandButton id="isolateSame" words={text.part.isolateSame} class="secondary small" />
         <CommandButton id="isolatePiece" words={text.part.isolateNear} class="secondary small" />

@@ -8,6 +8,7 @@ import { PartCard } from './part-card.tsx';
 import { findRoom } from './rooms/room-table.ts';
 import { text } from './text.ts';
 import { ToolOptions } from './tool-options.tsx';
+import { LineCard } from './touch/line-card.tsx';
 import { ViewBar } from './view-bar.tsx';
 
 /** The drawing with what floats over it. */
@@ -43,6 +44,7 @@ export function Stage() {
         <Hint />
       </div>
       <PartCard />
+      <LineCard />
       <ViewBar />
       {page.dropping.value ? (
         <div class="drop-veil">

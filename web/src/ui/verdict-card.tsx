@@ -2,6 +2,7 @@ import type { RefObject } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { Lamp, LampState } from '../model/verdict.ts';
 import { connectedLines } from '../state/connectivity.ts';
+import { freeLine } from '../state/keeps.ts';
 import { hasMend, isLoud } from '../state/sketch-faults.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { CommandButton } from './controls.tsx';
@@ -11,6 +12,7 @@ import type { Page } from './page.ts';
 import { usePage } from './page-context.ts';
 import { placeOf } from './places.ts';
 import { text } from './text.ts';
+import { touchWords } from './touch/touch-words.ts';
 import { type CardState, cardState } from './verdict-state.ts';
 
 /** Colour is never alone: each state has a shape of its own. */
@@ -86,6 +88,9 @@ function Ways({ card }: { readonly card: CardState }) {
           {mendWords(fault)}
         </button>
       ) : null}
+      {first.kind === 'problem' && first.problem.line !== undefined ? (
+        <ReleaseLine line={first.problem.line} />
+      ) : null}
       {first.kind === 'problem' || first.kind === 'item' ? (
         <CommandButton id="newSeed" words={text.result.trySeed} class="small" />
       ) : null}
@@ -100,6 +105,24 @@ function Ways({ card }: { readonly card: CardState }) {
         </button>
       )}
     </div>
+  );
+}
+
+/** Keeps nothing on a line any more, where what is kept there cannot be. */
+function ReleaseLine({ line }: { readonly line: number }) {
+  const page = usePage();
+  const label = touchWords.edits.free;
+  const release = () =>
+    page.touchModel({
+      label,
+      next: freeLine(page.store.sketch.value, line),
+      index: null,
+      place: null,
+    });
+  return (
+    <button type="button" class="button primary small" onClick={release}>
+      {label}
+    </button>
   );
 }
 

@@ -1,6 +1,7 @@
 import type { Sentences } from '../sentences.ts';
 import { BUILT_DE } from './sentences-built.ts';
 import { CHECKED_DE } from './sentences-checked.ts';
+import { KEEP_DE, KEEP_PHRASES_DE } from './sentences-keep.ts';
 import { READ_DE } from './sentences-read.ts';
 
 const FILES: Sentences = [
@@ -149,6 +150,10 @@ export const PHRASES_DE: Sentences = [
   ['a shift [x, y, z]', 'eine Verschiebung [x, y, z]'],
   ['a number of modules', 'eine Zahl von Modulen'],
   ['an array of lines', 'eine Liste von Linien'],
+  ['objects', 'Objekten'],
+  ['layers', 'Lagen'],
+  ['nodes', 'Knoten'],
+  ...KEEP_PHRASES_DE,
 ];
 
 /**
@@ -156,6 +161,7 @@ export const PHRASES_DE: Sentences = [
  * one stands above.
  */
 export const SENTENCES_DE: Sentences = [
+  ...KEEP_DE,
   ...READ_DE,
   ...CHECKED_DE,
   ...BUILT_DE,

@@ -1,0 +1,44 @@
+import { distance } from '../../geometry/vec.ts';
+import { BRICK_COLOURS } from '../../model/colours.ts';
+import type { PlacedPart } from '../../model/model.ts';
+import type { PaintedPart } from '../../model/sketch-colours.ts';
+import { hexText, OFFERED } from '../colours-section.tsx';
+import { colourWord } from '../text/part-names.ts';
+import { touchWords as words } from './touch-words.ts';
+
+const SAME_PLACE = 0.01;
+
+/** Colours for one part of the model. */
+export function PartColours(props: {
+  readonly placed: PlacedPart;
+  /** Parts that have colours of their own. */
+  readonly own: readonly PaintedPart[];
+  readonly onTake: (code: number | null) => void;
+}) {
+  const { part, position, color } = props.placed;
+  const mine = props.own.find(
+    (painted) => painted.part === part && distance(painted.at, position) < SAME_PLACE,
+  );
+  return (
+    <fieldset class="swatches small">
+      <legend>{words.colour}</legend>
+      {BRICK_COLOURS.filter(({ code }) => OFFERED.includes(code)).map((colour) => (
+        <button
+          key={colour.code}
+          type="button"
+          class="swatch-button"
+          style={{ background: hexText(colour) }}
+          aria-label={words.ownColour(colourWord(colour.code))}
+          title={colourWord(colour.code)}
+          aria-pressed={color === colour.code}
+          onClick={() => props.onTake(colour.code)}
+        />
+      ))}
+      {mine ? (
+        <button type="button" class="button secondary small" onClick={() => props.onTake(null)}>
+          {words.noColour}
+        </button>
+      ) : null}
+    </fieldset>
+  );
+}
