@@ -134,4 +134,25 @@ std::optional<layout::KeepFault> findBlame(const sketch::Sketch& sketch,
   return all;
 }
 
+std::vector<layout::KeepFault> findUnkept(const sketch::Sketch& sketch,
+                                          const layout::LayoutProblem& problem,
+                                          const std::vector<layout::Cover>& covers) {
+  std::vector<layout::KeepFault> faults;
+  if (problem.keeps.empty()) {
+    return faults;
+  }
+  const layout::StretchFinder finder(sketch, problem.graph);
+  for (std::size_t r = 0; r < covers.size(); ++r) {
+    const int id = static_cast<int>(r);
+    if (layout::keepViolations(problem, id, covers[r]) == 0) {
+      continue;
+    }
+    const guide::GuideRun& run = problem.graph.runs[r];
+    const sketch::Stretch whole = finder.lineOf({id, 0, run.edgeCount() + 1});
+    faults.push_back(
+        {whole.line, "the model has not all that is kept on this line", pointOn(sketch, whole)});
+  }
+  return faults;
+}
+
 }  // namespace liftarm::design

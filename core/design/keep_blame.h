@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "design/settings.h"
 #include "layout/keeps.h"
+#include "layout/layout.h"
 #include "mechanisms/mechanism_table.h"
 #include "search/layout_search.h"
 #include "sketch/sketch.h"
@@ -25,5 +27,12 @@ std::optional<layout::KeepFault> findBlame(const sketch::Sketch& sketch,
                                            const search::LayoutSnapshot& failed,
                                            const Settings& settings,
                                            const mechanisms::MechanismTable& table);
+
+//! \brief The lines whose cover is not as the sketch wants it: a kept part is not there, or what
+//! may not be is. \param covers By run of the problem, or none at all. \return One for each run, at
+//! its middle.
+std::vector<layout::KeepFault> findUnkept(const sketch::Sketch& sketch,
+                                          const layout::LayoutProblem& problem,
+                                          const std::vector<layout::Cover>& covers);
 
 }  // namespace liftarm::design

@@ -7,6 +7,7 @@
 #include "analysis/check.h"
 #include "design/covers_in_use.h"
 #include "design/json_values.h"
+#include "design/keep_blame.h"
 #include "design/measures.h"
 #include "design/notes_json.h"
 #include "design/owned_parts.h"
@@ -73,6 +74,11 @@ json keepProblem(const layout::KeepFault& fault) {
           {"parts", json::array()}};
 }
 
+//! What is kept and is not there, where no reason is known.
+std::vector<layout::KeepFault> unkeptOf(const ReportInput& input) {
+  return findUnkept(input.sketch, input.problem, input.search.best().covers);
+}
+
 //! Why there is no layout, or not all that is kept is in it, before all that follows from it.
 json causeJson(const ReportInput& input) {
   json causes = json::array();
@@ -81,6 +87,10 @@ json causeJson(const ReportInput& input) {
   }
   if (input.blamed) {
     causes.push_back(keepProblem(*input.blamed));
+  } else {
+    for (const layout::KeepFault& fault : unkeptOf(input)) {
+      causes.push_back(keepProblem(fault));
+    }
   }
   for (const layout::KeepFault& fault : input.problem.keepFaults) {
     causes.push_back(keepProblem(fault));
@@ -224,7 +234,7 @@ std::string makeReport(const ReportInput& input) {
       {"unusualColours", countUnusualColours(input.model)},
       {"buildable",
        check.buildable && broken == 0 && missing.empty() && !best.covers.empty() &&
-           input.problem.keepFaults.empty()},
+           input.problem.keepFaults.empty() && unkeptOf(input).empty()},
       {"items", itemsJson(check)},
       {"wellBuilt", wellBuiltJson(check.wellBuilt)},
       {"notes", notesJson(input.notes)},

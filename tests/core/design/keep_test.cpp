@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "design/attempt.h"
 #include "design/design_session.h"
+#include "design/keep_blame.h"
 #include "design/part_places.h"
+#include "sketch/keep_json.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::design {
@@ -141,6 +145,22 @@ TEST(Keep, APartThatDoesNotFitItsPlaceIsNamed) {
   EXPECT_EQ(problem.at("line"), 2);
   EXPECT_EQ(problem.at("at"), json::parse("[4.0, 0.0, 8.0]"));
   EXPECT_FALSE(solved.report.at("buildable").get<bool>());
+}
+
+TEST(Keep, ALineWithoutItsKeptPartIsNamed) {
+  const json place = {
+      {"line", 2},
+      {"part", {{"part", "32524"}, {"from", 1}, {"to", 7}, {"layer", 0}, {"holeAxis", "y"}}}};
+  const std::string text = keeping(portal(), place).dump();
+  const auto sketch = sketch::readSketch(text);
+  ASSERT_TRUE(sketch.ok());
+  Settings settings;
+  settings.keeps = sketch::keepsOf(text, sketch.value());
+  const layout::LayoutProblem problem = problemOf(sketch.value(), settings);
+  const std::vector<layout::Cover> bare(problem.graph.runs.size());
+  const std::vector<layout::KeepFault> faults = findUnkept(sketch.value(), problem, bare);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults.front().line, 2);
 }
 
 TEST(Keep, TwoPartsInOnePlaceAreNamed) {

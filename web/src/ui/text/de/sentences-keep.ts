@@ -43,6 +43,10 @@ export const KEEP_DE: Sentences = [
     'mit allem, was bleiben soll, wurde kein Modell gefunden; ohne all das gibt es eines',
   ],
   [
+    'the model has not all that is kept on this line',
+    'das Modell hat nicht alles, was auf dieser Linie bleiben soll',
+  ],
+  [
     'method {name} knows no parts that are to stay; use the default method',
     'Methode {name} kennt keine Teile, die bleiben sollen; nehmen Sie die übliche',
   ],
