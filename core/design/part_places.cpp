@@ -126,7 +126,7 @@ class Places {
         problem_(problemOf(sketch_, settings_)),
         finder_(sketch_, problem_.graph) {
     std::vector<int> lengths;
-    for (int n = 2; n <= guide::kLongestBeam; ++n) {
+    for (int n = 2; n <= guide::kLongestBeam + 1; ++n) {  // holes: one more than modules
       lengths.push_back(n);
     }
     const std::vector<int> bends = layout::allBentBeams();

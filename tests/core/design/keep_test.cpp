@@ -78,6 +78,12 @@ TEST(Keep, EveryBeamHasAPlaceAndNoPinHasOne) {
   }
 }
 
+TEST(Keep, TheLongestBeamHasAPlace) {
+  const Solved solved = solve(json::parse(R"({"format": "technic-sketch", "version": 1, "lines": [
+    {"from": [0, 0, 0], "to": [14, 0, 0]}]})"));
+  EXPECT_EQ(placeOn(solved.places, 0).at("part").at("to"), 14);
+}
+
 TEST(Keep, AKeptPartStaysForAnotherSeed) {
   const Solved first = solve(portal());
   const json place = placeOn(first.places, 2);
