@@ -124,7 +124,9 @@ test('a line has a side, ends of beams, and beams to take hold of', async ({ pag
   await page.keyboard.press('.');
   const card = page.getByRole('region', { name: /^Line \d, \d modules$/ });
   await expect(card).toBeVisible();
-  await card.getByText('on the line').click();
+  const side = card.getByRole('radio', { name: 'on the line' });
+  await side.click();
+  await expect(side).toBeChecked();
   await expect(page.getByTestId('grown')).toBeVisible(SOLVED);
   expect((await keep(page))?.map(({ layers }) => layers)).toEqual([[0]]);
   await card.getByRole('button', { name: 'Split here' }).click();
