@@ -22,9 +22,6 @@ using base::Status;
 using nlohmann::json;
 
 constexpr double kMaxWeight = 1e6;
-// Of all searches for a balanced model. What is counted leaves out how freedoms are asked for, so
-// this is less than elsewhere, for about the same time.
-constexpr double kMostBalancedWork = 6e9;
 
 //! One number that a person may set, its limits and where it goes.
 struct NumberKey {
@@ -227,7 +224,6 @@ void applyPreset(Settings* settings) {
   settings->connectors.emplace_back("44809");
   settings->mechanismParts = 3;
   settings->connection = {4.0, 1.2};
-  settings->annealing.mostWork = kMostBalancedWork;
   settings->annealing.stiffening = {.rounds = 14,
                                     .roundsPerStart = 14,
                                     .work = 2.5e6,
