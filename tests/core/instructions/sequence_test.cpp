@@ -231,9 +231,22 @@ double lowestOf(const analysis::Scene& scene, const std::vector<int>& parts) {
   return lowest;
 }
 
-//! All of these can be begun on the table: their sketches stand on feet or frames.
+//! All examples but four, of which the planner still builds a part in the air first
+//! (docs/disassembly.md): cart, airplane, house and tower.
 TEST(Sequence, BeginsOnTheTableAndGoesUp) {
-  for (const char* name : {"square-frame", "table", "chair", "cart", "ladder"}) {
+  for (const char* name : {"square-frame",
+                           "table",
+                           "chair",
+                           "ladder",
+                           "box-shelf",
+                           "braced-square",
+                           "bridge",
+                           "cube",
+                           "grid",
+                           "hexagon",
+                           "letter-a",
+                           "seesaw",
+                           "windmill"}) {
     const model::Model model = solvedExample(name);
     const analysis::Scene scene = analysis::makeScene(model, parts::Catalogue::builtIn());
     const Sequence sequence = planSequence(scene);
