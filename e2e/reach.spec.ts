@@ -106,6 +106,8 @@ async function openWithModel(page: Page): Promise<void> {
   await page.keyboard.press('Control+Enter');
   await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
   await page.keyboard.press('Control+a');
+  // There is something to paste in every share of the commands, or undoing it takes the drawing away.
+  await page.keyboard.press('Control+c');
   await page.keyboard.press('n');
 }
 
