@@ -153,7 +153,9 @@ for (let share = 0; share < SHARES; share++) {
     const all = await rowsOfPalette(page);
     await leave(page);
     const rank = ({ id }: Row) => LAST.indexOf(id);
-    const mine = all.filter((_, i) => i % SHARES === share);
+    // Languages one after the other: the page is loaded again only for another than it has.
+    const shareOf = ({ id }: Row, i: number) => (id.startsWith('language') ? 0 : i % SHARES);
+    const mine = all.filter((row, i) => shareOf(row, i) === share);
     expect(mine.length).toBeGreaterThan(5);
     for (const row of mine.sort((a, b) => rank(a) - rank(b))) {
       await runRow(page, row);
