@@ -1,13 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../web/src/geometry/vec.ts';
-import { isFullTurn, nearestAngle } from '../../../web/src/model/follow-pointer.ts';
-import { type MotionPath, type PathPose, posesAt } from '../../../web/src/model/motion.ts';
-import {
-  canMix,
-  carriedPoint,
-  mixedPoses,
-  turnsBetween,
-} from '../../../web/src/model/motion-mix.ts';
+import type { MotionPath, PathPose } from '../../../web/src/model/motion.ts';
+import { canMix, mixedPoses } from '../../../web/src/model/motion-mix.ts';
+import { isFullTurn } from '../../../web/src/model/motion-span.ts';
 
 /** Parts at points of the x axis that turn about z at a place of it. */
 function turning(parts: readonly (readonly [number, number])[], centre: number): MotionPath {
@@ -85,45 +80,6 @@ describe('motions that can be had together', () => {
   });
 });
 
-it('a point of a part goes with it', () => {
-  const start = posesAt(SHOULDER, 0).get(2);
-  const now = posesAt(SHOULDER, 90).get(2);
-  if (!start || !now) {
-    throw new Error('no pose');
-  }
-  near(carriedPoint(start, now, [7, 0, 1]), [0, 7, 1]);
-});
-
-describe('the angle between two parts', () => {
-  it('is the motion at the joint that drives it', () => {
-    turnsBetween(ELBOW, [1, 2], [0, 0, 1]).forEach((turn, i) => {
-      expect(turn).toBeCloseTo(ELBOW.angles[i] ?? 0, 5);
-    });
-  });
-
-  it('is nothing where both move as one', () => {
-    expect(Math.max(...turnsBetween(SHOULDER, [1, 2], [0, 0, 1]).map(Math.abs))).toBeLessThan(1e-6);
-  });
-});
-
-describe('a linkage that follows the pointer', () => {
-  const span = { from: -180, to: 180 };
-  const miss = (goal: number) => (degrees: number) =>
-    Math.hypot(
-      Math.cos((degrees * Math.PI) / 180) - Math.cos((goal * Math.PI) / 180),
-      Math.sin((degrees * Math.PI) / 180) - Math.sin((goal * Math.PI) / 180),
-    );
-
-  it('comes to the angle that is nearest', () => {
-    expect(nearestAngle(span, 10, miss(52.3))).toBeCloseTo(52.3, 0);
-  });
-
-  it('goes over the end of a full turn', () => {
-    expect(isFullTurn(span)).toBe(true);
-    expect(nearestAngle(span, 170, miss(-165))).toBeCloseTo(-165, 0);
-  });
-
-  it('stays at the end of its range', () => {
-    expect(nearestAngle({ from: -20, to: 40 }, 30, miss(80))).toBe(40);
-  });
+it('a span of a full turn is known as one', () => {
+  expect(isFullTurn({ from: -180, to: 180 })).toBe(true);
 });

@@ -82,6 +82,14 @@ export function rotate(m: Mat3, v: Vec3): Vec3 {
   ];
 }
 
+/** a * b: turns by b, then by a. */
+export function multiply(a: Mat3, b: Mat3): Mat3 {
+  const column = (j: 0 | 1 | 2) =>
+    rotate(a, [b[j], b[(j + 3) as 3 | 4 | 5], b[(j + 6) as 6 | 7 | 8]]);
+  const [x, y, z] = [column(0), column(1), column(2)];
+  return [x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]];
+}
+
 /** True when the points differ by less than `tolerance` modules. */
 export function samePoint(a: Vec3, b: Vec3, tolerance = 1e-6): boolean {
   return distance(a, b) < tolerance;

@@ -1,7 +1,7 @@
-import { add, dot, type Mat3, normalize, rotate, subtract, type Vec3 } from '../geometry/vec.ts';
+import { add, type Mat3, multiply, rotate, subtract } from '../geometry/vec.ts';
 import { type MotionPath, type MovedPart, posesAt } from './motion.ts';
 
-// Several motions of one model at once, and what can be read off them.
+// Several motions of one model at once.
 
 /** A motion and where it stands. */
 export interface Driven {
@@ -46,44 +46,6 @@ export function mixedPoses(driven: readonly Driven[]): Map<number, MovedPart> {
     }
   }
   return result;
-}
-
-/** The place of a point of a part, given where the model has it. */
-export function carriedPoint(start: MovedPart, now: MovedPart, point: Vec3): Vec3 {
-  const move = displacement(start, now);
-  return add(rotate(move.rotation, point), move.position);
-}
-
-/**
- * How far two parts have turned against each other about an axis, at each key of a motion: degrees, without leaps.
- * @param axis in the drawn pose, fixed to the first part.
- */
-export function turnsBetween(
-  path: MotionPath,
-  parts: readonly [number, number],
-  axis: Vec3,
-): number[] {
-  const rest = posesAt(path, 0);
-  const unit = normalize(axis);
-  const turns = path.angles.map((degrees) => {
-    const poses = posesAt(path, degrees);
-    const move = (part: number) => {
-      const [start, now] = [rest.get(part), poses.get(part)];
-      return start && now ? displacement(start, now).rotation : null;
-    };
-    const [a, b] = [move(parts[0]), move(parts[1])];
-    const relative = product(a ? transposed(a) : null, b);
-    return relative ? angleAbout(relative, unit) : 0;
-  });
-  // The drawn pose is 0; from there the angle goes on from key to key.
-  const zero = path.angles.findIndex((angle) => angle >= 0);
-  for (let i = zero + 1; i < turns.length; i++) {
-    turns[i] = nearestTurn(turns[i] ?? 0, turns[i - 1] ?? 0);
-  }
-  for (let i = zero - 1; i >= 0; i--) {
-    turns[i] = nearestTurn(turns[i] ?? 0, turns[i + 1] ?? 0);
-  }
-  return turns;
 }
 
 function outerFirst(paths: readonly MotionPath[]): MotionPath[] {
@@ -135,27 +97,6 @@ function isSame(a: MovedPart, b: MovedPart): boolean {
   );
 }
 
-function product(a: Mat3 | null, b: Mat3 | null): Mat3 | null {
-  return a && b ? multiply(a, b) : (a ?? b);
-}
-
-function multiply(a: Mat3, b: Mat3): Mat3 {
-  const column = (j: 0 | 1 | 2) =>
-    rotate(a, [b[j], b[(j + 3) as 3 | 4 | 5], b[(j + 6) as 6 | 7 | 8]]);
-  const [x, y, z] = [column(0), column(1), column(2)];
-  return [x[0], y[0], z[0], x[1], y[1], z[1], x[2], y[2], z[2]];
-}
-
 function transposed(m: Mat3): Mat3 {
   return [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
-}
-
-/** The part of a rotation that turns about an axis, degrees. */
-function angleAbout(m: Mat3, axis: Vec3): number {
-  const twist = dot([m[7] - m[5], m[2] - m[6], m[3] - m[1]], axis);
-  return (Math.atan2(twist, m[0] + m[4] + m[8] - 1) * 180) / Math.PI;
-}
-
-function nearestTurn(angle: number, to: number): number {
-  return angle + 360 * Math.round((to - angle) / 360);
 }

@@ -1,5 +1,5 @@
 import { bad, good, type Outcome } from '../../base/outcome.ts';
-import type { Mat3, Vec3 } from '../../geometry/vec.ts';
+import { type Mat3, multiply, type Vec3 } from '../../geometry/vec.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
 
@@ -151,14 +151,6 @@ export function withTrain(frameJson: string, train: GearTrain, catalogue: Catalo
   const { keepOut: _, ...sketch } = frame.sketch ?? {};
   const parts = [...frame.parts, ...placeTrain(train, 0, catalogue)];
   return JSON.stringify({ ...frame, parts, ...(frame.sketch ? { sketch } : {}) });
-}
-
-function multiply(a: Mat3, b: Mat3): Mat3 {
-  const entry = (row: number, column: number) =>
-    [0, 1, 2].reduce((sum, k) => sum + (a[3 * row + k] ?? 0) * (b[3 * k + column] ?? 0), 0);
-  return [0, 1, 2].flatMap((row) =>
-    [0, 1, 2].map((column) => entry(row, column)),
-  ) as unknown as Mat3;
 }
 
 function readShafts(json: unknown): Shaft[] | null {

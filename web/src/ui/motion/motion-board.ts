@@ -1,7 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { isFullTurn, type Span, within } from '../../model/follow-pointer.ts';
 import type { JointRange, MotionPath, MovedPart } from '../../model/motion.ts';
 import { canMix, mixedPoses } from '../../model/motion-mix.ts';
+import { isFullTurn, type Span, within } from '../../model/motion-span.ts';
 import type { MotionStudy, Mover } from '../checks/motion-study.ts';
 
 /** Something that turns, and how far it has. */

@@ -1,0 +1,19 @@
+/** From the least to the greatest angle that a motion has. */
+export interface Span {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Whether a motion that goes on at one end comes in at the other. */
+export function isFullTurn({ from, to }: Span): boolean {
+  return to - from >= 359;
+}
+
+/** The angle within a span; over its ends where it is a full turn. */
+export function within(span: Span, degrees: number): number {
+  if (!isFullTurn(span)) {
+    return Math.min(span.to, Math.max(span.from, degrees));
+  }
+  const size = span.to - span.from;
+  return span.from + ((((degrees - span.from) % size) + size) % size);
+}
