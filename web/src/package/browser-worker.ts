@@ -1,10 +1,7 @@
 // The package's worker in a browser. Glue alone, as solver/worker.ts is for the page.
+import { ownTurn } from '../solver/own-turn.ts';
 import { beside } from './beside.ts';
 import { createPackageCore } from './package-core.ts';
-
-const turn = new MessageChannel();
-const waiting: (() => void)[] = [];
-turn.port1.onmessage = () => waiting.shift()?.();
 
 const core = createPackageCore({
   wasm: async () => {
@@ -15,11 +12,7 @@ const core = createPackageCore({
     return new Uint8Array(await reply.arrayBuffer());
   },
   post: (reply) => postMessage(reply),
-  pause: () =>
-    new Promise((resolve) => {
-      waiting.push(resolve);
-      turn.port2.postMessage(null);
-    }),
+  pause: ownTurn,
 });
 
 addEventListener('message', ({ data }) => void core.handle(data));

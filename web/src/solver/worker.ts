@@ -1,6 +1,7 @@
 // Glue alone: the logic is worker-core.ts, which tests run without a worker.
 import createLiftarmCore from '@wasm/liftarm-core.js';
 import wasmUrl from '@wasm/liftarm-core.wasm?url';
+import { ownTurn } from './own-turn.ts';
 import type { FromWorker, SolverBinary, ToWorker } from './protocol.ts';
 import type { SolverModule, SolverModuleOptions } from './solver-module.ts';
 import { createWorkerCore } from './worker-core.ts';
@@ -35,19 +36,10 @@ function load(compiled: WebAssembly.Module | null): Promise<SolverModule> {
   });
 }
 
-// A message to ourselves comes after those that wait already, without the delay of a nested timer.
-const turn = new MessageChannel();
-const waiting: (() => void)[] = [];
-turn.port1.onmessage = () => waiting.shift()?.();
-
 const core = createWorkerCore(loading, {
   post: (reply: FromWorker) => postMessage(reply),
   now: () => performance.now(),
-  pause: () =>
-    new Promise((resolve) => {
-      waiting.push(resolve);
-      turn.port2.postMessage(null);
-    }),
+  pause: ownTurn,
   lastWords: () => lastWords,
 });
 
