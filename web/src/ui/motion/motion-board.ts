@@ -151,13 +151,6 @@ export function moved(driver: Driver, by: number, mode: PlayMode): Driver {
     : { ...driver, degrees: span.from + 2 * size - gone, way: -1 };
 }
 
-/** Degrees after which a driver is where it was. */
-export function periodOf(driver: Driver, mode: PlayMode): number {
-  const span = spanOf(driver.path);
-  const size = span.to - span.from;
-  return mode === 'loop' && isFullTurn(span) ? size : 2 * size;
-}
-
 function stopAt({ range, degrees }: Driver): readonly number[] {
   if (!range) {
     return [];
