@@ -247,14 +247,11 @@ void Attempts::findReason() {
 void Attempts::findCrowdedPlace() {
   const search::LayoutSnapshot& best = current_->search->best();
   const guide::GuidingGraph& graph = current_->problem.graph;
-  std::vector<lattice::Vec3> places;
+  std::vector<lattice::Vec3> places = violatedPlaces(graph, best);
   std::optional<std::size_t> busiest;
   for (std::size_t j = 0; j < best.junctions.size(); ++j) {
     const auto runsAt = [&](std::size_t i) { return graph.junctions[i].incident.size(); };
     busiest = !busiest || runsAt(j) > runsAt(*busiest) ? j : *busiest;
-    if (best.junctions[j].violations() > 0) {
-      places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)]);
-    }
   }
   lookAt(places, 0.0, kFewestCrowded);
   if (!crowded_ && busiest) {

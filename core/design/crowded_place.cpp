@@ -99,6 +99,17 @@ std::string listOf(const std::vector<int>& lines) {
 
 }  // namespace
 
+std::vector<Vec3> violatedPlaces(const guide::GuidingGraph& graph,
+                                 const search::LayoutSnapshot& layout) {
+  std::vector<Vec3> places;
+  for (std::size_t j = 0; j < layout.junctions.size(); ++j) {
+    if (layout.junctions[j].violations() > 0) {
+      places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)]);
+    }
+  }
+  return places;
+}
+
 bool joinsAll(const sketch::Sketch& sketch,
               const Settings& settings,
               const mechanisms::MechanismTable& table,

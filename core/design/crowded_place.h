@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "design/settings.h"
+#include "guide/guiding_graph.h"
 #include "mechanisms/mechanism_table.h"
+#include "search/layout_search.h"
 #include "sketch/sketch.h"
 
 namespace liftarm::design {
@@ -22,6 +24,10 @@ struct CrowdedPlace {
 //! \brief Moves of a round, besides those for each run, where many short rounds are worth more than
 //! a long one.
 inline constexpr std::uint32_t kShortRound = 800;
+
+//! \brief The nodes of a layout whose beams are not all joined, or not without a fault.
+std::vector<lattice::Vec3> violatedPlaces(const guide::GuidingGraph& graph,
+                                          const search::LayoutSnapshot& layout);
 
 //! \brief Lines of a sketch that have a node within so many modules of a point, in their order.
 std::vector<int> linesNear(const sketch::Sketch& sketch, lattice::Vec3 at, double radius);

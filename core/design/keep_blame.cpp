@@ -30,18 +30,6 @@ Vec3 pointOn(const sketch::Sketch& sketch, const sketch::Stretch& on) {
   return line.from + share * (line.to - line.from);
 }
 
-std::vector<Vec3> violatedPlaces(const layout::LayoutProblem& problem,
-                                 const search::LayoutSnapshot& failed) {
-  const guide::GuidingGraph& graph = problem.graph;
-  std::vector<Vec3> places;
-  for (std::size_t j = 0; j < failed.junctions.size(); ++j) {
-    if (failed.junctions[j].violations() > 0) {
-      places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[j].node)]);
-    }
-  }
-  return places;
-}
-
 class Suspects {
  public:
   Suspects(const sketch::Sketch& sketch, const sketch::Keeps& keeps)
@@ -111,7 +99,7 @@ std::optional<layout::KeepFault> findBlame(const sketch::Sketch& sketch,
   if (settings.keeps.empty() || !joinsAll(sketch, changed, table, kRoundsOfBlame, kWork)) {
     return std::nullopt;
   }
-  const std::vector<Vec3> places = violatedPlaces(problem, failed);
+  const std::vector<Vec3> places = violatedPlaces(problem.graph, failed);
   std::vector<Suspect> suspects = Suspects(sketch, settings.keeps).all();
   for (Suspect& suspect : suspects) {
     suspect.distance = places.empty() ? 0.0 : 1e9;
