@@ -1,13 +1,12 @@
-import { BRICK_COLOURS, type BrickColour } from '../model/colours.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { COLOUR_SCHEMES, type ColourPlan } from '../model/sketch-colours.ts';
 import { paintLines, setBeamColour, setScheme } from '../state/paint-lines.ts';
 import { Section, Segmented } from './controls.tsx';
 import { usePage } from './page-context.ts';
+import { SwatchButtons } from './swatch-buttons.tsx';
 import { COLOURS_DE } from './text/de/colours.ts';
 import { COLOURS_EN } from './text/en/colours.ts';
 import { chooseWords, formatNumber } from './text/language.ts';
-import { colourWord } from './text/part-names.ts';
 import './colours.css';
 
 const words = chooseWords(COLOURS_EN, COLOURS_DE);
@@ -16,8 +15,6 @@ const words = chooseWords(COLOURS_EN, COLOURS_DE);
 type Taken = ColourPlan | 'one';
 
 const CHOICES = COLOUR_SCHEMES.map((value) => ({ value, label: words.schemes[value] }));
-/** Those in which most beams are sold; the file format knows all. */
-export const OFFERED = [0, 1, 2, 4, 14, 15, 25, 27, 71, 72, 321];
 
 /** How the beams are coloured: by a scheme, all in one colour, and lines in their own. */
 export function ColoursSection() {
@@ -67,22 +64,10 @@ function Swatches(props: {
   readonly taken: number | null;
   readonly onTake: (code: number | null) => void;
 }) {
-  const offered = BRICK_COLOURS.filter(({ code }) => OFFERED.includes(code));
   return (
     <fieldset class="swatches">
       <legend>{props.title}</legend>
-      {offered.map((colour) => (
-        <button
-          key={colour.code}
-          type="button"
-          class="swatch-button"
-          style={{ background: hexText(colour) }}
-          aria-label={words.choose(colourWord(colour.code))}
-          title={colourWord(colour.code)}
-          aria-pressed={props.taken === colour.code}
-          onClick={() => props.onTake(colour.code)}
-        />
-      ))}
+      <SwatchButtons taken={props.taken} nameOf={words.choose} onTake={props.onTake} />
       <button
         type="button"
         class="button secondary small"
@@ -93,8 +78,4 @@ function Swatches(props: {
       </button>
     </fieldset>
   );
-}
-
-export function hexText({ hex }: BrickColour): string {
-  return `#${hex.toString(16).padStart(6, '0')}`;
 }

@@ -1,9 +1,7 @@
 import { distance } from '../../geometry/vec.ts';
-import { BRICK_COLOURS } from '../../model/colours.ts';
 import type { PlacedPart } from '../../model/model.ts';
 import type { PaintedPart } from '../../model/sketch-colours.ts';
-import { hexText, OFFERED } from '../colours-section.tsx';
-import { colourWord } from '../text/part-names.ts';
+import { SwatchButtons } from '../swatch-buttons.tsx';
 import { touchWords as words } from './touch-words.ts';
 
 const SAME_PLACE = 0.01;
@@ -22,18 +20,7 @@ export function PartColours(props: {
   return (
     <fieldset class="swatches small">
       <legend>{words.colour}</legend>
-      {BRICK_COLOURS.filter(({ code }) => OFFERED.includes(code)).map((colour) => (
-        <button
-          key={colour.code}
-          type="button"
-          class="swatch-button"
-          style={{ background: hexText(colour) }}
-          aria-label={words.ownColour(colourWord(colour.code))}
-          title={colourWord(colour.code)}
-          aria-pressed={color === colour.code}
-          onClick={() => props.onTake(colour.code)}
-        />
-      ))}
+      <SwatchButtons taken={color} nameOf={words.ownColour} onTake={props.onTake} />
       {mine ? (
         <button type="button" class="button secondary small" onClick={() => props.onTake(null)}>
           {words.noColour}
