@@ -11,6 +11,7 @@
 
 #include "cli/linkage_command.h"
 #include "cli/solve_command.h"
+#include "cli/train_command.h"
 
 namespace {
 
@@ -144,6 +145,25 @@ CLI::App* addLinkage(CLI::App& app, liftarm::cli::LinkageOptions& options) {
   return linkage;
 }
 
+constexpr double kMostRatio = 1000.0;
+constexpr int kMostWay = 30;
+
+CLI::App* addTrain(CLI::App& app, liftarm::cli::TrainOptions& options) {
+  CLI::App* train = app.add_subcommand(
+      "train", "Find the gears that couple two parallel shafts, with the fewest parts");
+  train->add_option("WAY", options.way, "From the first shaft to the last across them, modules")
+      ->expected(2)
+      ->required()
+      ->check(CLI::Range(-kMostWay, kMostWay))
+      ->type_name("U V");
+  train->add_option("--ratio", options.ratio, "Turns of the first shaft for one turn of the last")
+      ->check(CLI::Range(1.0 / kMostRatio, kMostRatio));
+  train->add_option("--tolerance", options.tolerance, "Per cent that the ratio may be off (3)")
+      ->check(CLI::Range(0.0, 50.0));
+  train->add_flag("--json", options.json, "Print the answer as one JSON object");
+  return train;
+}
+
 int run(int argc, char** argv) {
   CLI::App app(kAbout, "liftarm");
   // Help of the whole command shows the options of its verbs too.
@@ -157,6 +177,8 @@ int run(int argc, char** argv) {
 
   liftarm::cli::LinkageOptions linkageOptions;
   CLI::App* linkage = addLinkage(app, linkageOptions);
+  liftarm::cli::TrainOptions trainOptions;
+  const CLI::App* train = addTrain(app, trainOptions);
 
   try {
     app.parse(argc, argv);
@@ -174,6 +196,9 @@ int run(int argc, char** argv) {
       std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.app->parsed(); });
   if (linkage->parsed()) {
     return static_cast<int>(liftarm::cli::linkageCommand(linkageOptions));
+  }
+  if (train->parsed()) {
+    return static_cast<int>(liftarm::cli::trainCommand(trainOptions));
   }
   return static_cast<int>(asked != verbs.end() ? asked->act()
                                                : liftarm::cli::solveCommand(options));

@@ -1,7 +1,7 @@
 # `cmake --install build/native --prefix DIR`: the command, the libraries with their headers, and a package
 # that find_package(liftarm) finds. A program links liftarm::liftarm (core/design/solve.h is its door).
 
-set(LIFTARM_LIBRARIES base lattice parts sketch guide mechanisms model layout analysis objective instructions
+set(LIFTARM_LIBRARIES base lattice parts sketch gears guide mechanisms model layout analysis objective instructions
                       search rivals exporters design)
 
 # The targets that are exported: the folders, what all of them use, and one name for the whole.

@@ -310,6 +310,8 @@ const GEARS = {
   6589: gear(TAN, 16, 5, [0, 0, 2]),
   32270: gear(BLACK, 17, 10),
   32269: gear(BLACK, 27, 10),
+  46372: gear(DARK, 36.802, 10),
+  32498: gear(BLACK, 47, 10),
 };
 
 export const PARTS = { ...BEAMS, ...PINS, ...AXLES, ...BUSHES, ...CONNECTORS, ...GEARS };
