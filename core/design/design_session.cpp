@@ -77,15 +77,14 @@ class Session final : public DesignSession {
                        model::asWritten(model())});
   }
 
-  //! \return Why no search is worth its time; nothing where one is, or where no axles are in use.
+  //! \return Why no search is worth its time; nothing where one is.
   [[nodiscard]] std::optional<std::string> refusal() const {
     int longest = 0;
     for (const int axle : settings_.annealing.axles) {
       longest = std::max(longest, layout::axleParts()[static_cast<std::size_t>(axle)].length);
     }
     const bool laysAxles = settings_.method != kPaperMethod && settings_.annealing.parts.axles;
-    return laysAxles && longest > 0 ? findJointRefusal(sketch_, attempts_.problem().graph, longest)
-                                    : std::nullopt;
+    return findJointRefusal(sketch_, attempts_.problem().graph, laysAxles ? longest : 0);
   }
 
  private:

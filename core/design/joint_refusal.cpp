@@ -17,6 +17,7 @@ using lattice::Vec3;
 
 constexpr double kSame = 0.05;        // modules
 constexpr double kParallel = 1e-3;    // sine
+constexpr double kMostLean = 0.015;   // sine, of a joint's axis: the check lets no pin lean by more
 constexpr int kShortestWithHold = 2;  // edges of an axle that something holds at both ends
 
 std::size_t at(int i) {
@@ -60,7 +61,8 @@ class Refusal {
 
   [[nodiscard]] std::optional<std::string> find() const {
     for (std::size_t j = 0; j < sketch_.joints.size(); ++j) {
-      for (const std::optional<std::string>& reason : {secondAxis(j), sharedStretch(j)}) {
+      for (const std::optional<std::string>& reason :
+           {slanted(j), secondAxis(j), sharedStretch(j)}) {
         if (reason.has_value()) {
           return reason;
         }
@@ -68,7 +70,7 @@ class Refusal {
     }
     for (const guide::GuideJoint& joint : graph_.joints) {
       for (const std::vector<int>& runs : joint.runGroups) {
-        if (runs.size() == 1) {
+        if (longest_ > 0 && runs.size() == 1) {
           if (std::optional<std::string> reason = noAxle(joint, runs.front())) {
             return reason;
           }
@@ -79,6 +81,19 @@ class Refusal {
   }
 
  private:
+  //! A joint about an axis along which no part of a model on the lattice has holes.
+  [[nodiscard]] std::optional<std::string> slanted(std::size_t j) const {
+    const Vec3 axis = lattice::normalized(sketch_.joints[j].axis);
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 unit = lattice::unitVector(lattice::axisFromIndex(i));
+      if (lattice::length(lattice::cross(axis, unit)) < kMostLean) {
+        return std::nullopt;
+      }
+    }
+    return "joints[" + std::to_string(j) + "].axis: " + pointText(axis) +
+           " is not along x, y or z, and holes are; expected one of these";
+  }
+
   //! Another joint at this one's place, before it in the sketch, about another axis.
   [[nodiscard]] std::optional<std::string> secondAxis(std::size_t j) const {
     const sketch::Joint& joint = sketch_.joints[j];

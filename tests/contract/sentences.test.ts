@@ -33,6 +33,7 @@ const WRONG: readonly unknown[] = [
   true,
   [[0]],
   [0, 0, 0],
+  [1, 2, 3],
 ];
 
 type Json = Record<string, unknown> | unknown[];

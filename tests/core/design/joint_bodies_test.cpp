@@ -72,8 +72,8 @@ TEST(JointBodies, TheSketchOfTheReportIsReadAgain) {
   EXPECT_EQ(again.value().joints[0].between, sketch.joints[0].between);
 }
 
-std::string refusalOf(const sketch::Sketch& sketch) {
-  const auto session = DesignSession::create(sketch::writeSketch(sketch), "{}");
+std::string refusalOf(const sketch::Sketch& sketch, const std::string& settings = "{}") {
+  const auto session = DesignSession::create(sketch::writeSketch(sketch), settings);
   return session.ok() ? "" : session.error().message;
 }
 
@@ -108,6 +108,18 @@ TEST(JointRefusal, NamesJointsAboutTwoAxesAtOnePlace) {
             "joints[1]: lines cannot turn about two axes at [0, 0, 0], this one and that of "
             "joints[0], since no part has pin holes for both at one place; expected joints at two "
             "nodes");
+}
+
+TEST(JointRefusal, NamesAnAxisThatNoHoleIsAlong) {
+  sketch::Sketch hinge = testing::sketchFrom({{{0, 0, 0}, {8, 0, 0}}, {{0, 0, 0}, {0, 0, 6}}});
+  hinge.joints = {{{0, 0, 0}, {1, 1, 0}, {{0}, {1}}}};
+  const std::string said =
+      "joints[0].axis: [0.7071, 0.7071, 0] is not along x, y or z, and holes are; expected one of "
+      "these";
+  EXPECT_EQ(refusalOf(hinge), said);
+  EXPECT_EQ(refusalOf(hinge, R"({"set": {"search.axles": 0}})"), said) << "whatever covers lines";
+  hinge.joints[0].axis = {0.01, 1, 0};
+  EXPECT_EQ(refusalOf(hinge), "") << "by so little a drawing may be off";
 }
 
 TEST(JointRefusal, NamesLinesThatLieOnEachOther) {

@@ -138,6 +138,10 @@ const SKETCH: Sentences = [
     'Linien können sich bei {point} nicht um zwei Achsen drehen, diese und die von {other}, denn kein Teil hat dort Pinlöcher für beide; erwartet werden Gelenke an zwei Knoten',
   ],
   [
+    '{axis} is not along x, y or z, and holes are; expected one of these',
+    '{axis} verläuft nicht entlang x, y oder z wie die Löcher; erwartet wird eines davon',
+  ],
+  [
     'lines {n} and {m} lie on each other, so they cannot turn against each other',
     'die Linien {n} und {m} liegen aufeinander, können sich also nicht gegeneinander drehen',
   ],
