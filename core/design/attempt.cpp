@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "design/alikeness.h"
 #include "design/covers_in_use.h"
@@ -180,7 +181,9 @@ void Attempts::begin(Wishes wishes, bool last) {
     return;
   }
   search::AnnealingOptions options = settings_->annealing;
-  if (wishes.more > 0) {
+  if (wishes.again) {
+    options = optionsAlone(*sketch_, std::move(options), kRoundsAlone);
+  } else if (wishes.more > 0) {
     options.seed += (wishes.more - 1) * kSeedStep;
     options.minIterations = std::min(options.minIterations, kShortRound);
   }
@@ -200,7 +203,8 @@ void Attempts::begin(Wishes wishes, bool last) {
     options.stiffening.rounds =
         std::min(options.stiffening.rounds, wishes.mostly ? kFreeingRounds : kSymmetricRounds);
   }
-  options.maxRounds = last ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
+  options.maxRounds =
+      last || wishes.again ? options.maxRounds : std::min(options.maxRounds, kWishingRounds);
   options.mostWork = workLeft();
   options.mostWorkUntilWhole = (last || wishes.more > 0 ? 1.0 : kShareOfOneWish) * options.mostWork;
   attempt.search =
@@ -267,9 +271,9 @@ void Attempts::planMoreSeeds() {
   if ((plans_.empty() || wholeAlone_) && !blamed_ && best_ == nullptr && moreSeeds_ < kMoreSeeds &&
       !isPaperFamily(settings_->method) &&
       current_->problem.graph.runs.size() <= kMostRunsForMore) {
-    wholeAlone_ = false;
     plans_.emplace_back();
     plans_.back().more = ++moreSeeds_;
+    plans_.back().again = std::exchange(wholeAlone_, false);
   }
 }
 

@@ -24,6 +24,7 @@ struct Wishes {
   int only = -1;           //!< the one of these that is kept; negative: all
   bool mostly = false;     //!< what stays loose as it is need not be symmetric
   std::uint32_t more = 0;  //!< not 0: of the searches beyond the plans, in short rounds
+  bool again = false;      //!< of these: the one that found a layout when it looked at all lines
 };
 
 //! \brief The sketch with what is wished for written into it: its ground half a module below its
@@ -43,9 +44,10 @@ bool isWhole(const search::LayoutSnapshot& layout);
 //! with those that keep one mirror, with one that is symmetric but for what would be loose, and
 //! with one that keeps none; being symmetric is worth a part of the objective. A search
 //! that does not end whole is followed by a look at the nodes where it failed, each alone: what
-//! cannot be joined there is said at once, in place of further searches. Where nothing is found to
-//! be at fault, a few more searches with other seeds follow the plans. All searches together take
-//! no more than AnnealingOptions::mostWork, more for very large sketches.
+//! cannot be joined there is said at once, in place of further searches. Where a node has all lines
+//! and the look joins them, that search comes next. Where nothing is found to be at fault, a few
+//! more searches with other seeds follow the plans. All searches together take no more than
+//! AnnealingOptions::mostWork, more for very large sketches.
 class Attempts {
  public:
   //! \pre sketch and settings outlive this.

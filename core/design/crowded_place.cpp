@@ -17,7 +17,6 @@ using lattice::Vec3;
 // Modules of each line to either side: beams further away do not touch what is at the node, but
 // for lines at the sharpest angles of whole triangles.
 constexpr int kNear = 7;
-constexpr std::uint32_t kRoundsOfAll = 12;
 constexpr std::uint32_t kRoundsOfSome = 5;
 constexpr double kWorkOfAll = 2.5e9;  // AnnealingOptions::mostWork
 constexpr double kWorkOfSome = 2e8;
@@ -110,6 +109,18 @@ std::vector<Vec3> violatedPlaces(const guide::GuidingGraph& graph,
   return places;
 }
 
+search::AnnealingOptions optionsAlone(const sketch::Sketch& sketch,
+                                      search::AnnealingOptions options,
+                                      std::uint32_t rounds) {
+  options.earlier = {};
+  options.maxRounds = rounds;
+  options.minIterations = std::min(options.minIterations, kShortRound);
+  if (sketch.joints.empty()) {
+    options.axles.clear();
+  }
+  return options;
+}
+
 bool joinsAll(const sketch::Sketch& sketch,
               const Settings& settings,
               const mechanisms::MechanismTable& table,
@@ -117,16 +128,10 @@ bool joinsAll(const sketch::Sketch& sketch,
               double work) {
   layout::ConnectionSolver solver(table, settings.connection);
   const layout::LayoutProblem problem = problemOf(sketch, settings);
-  search::AnnealingOptions options = settings.annealing;
-  options.earlier = {};
+  search::AnnealingOptions options = optionsAlone(sketch, settings.annealing, rounds);
   options.supply = {};
-  options.maxRounds = rounds;
   options.mostWork = work;
   options.mostWorkUntilWhole = work;
-  options.minIterations = std::min(options.minIterations, kShortRound);
-  if (sketch.joints.empty()) {
-    options.axles.clear();
-  }
   search::Annealer annealer(problem, solver, std::move(options));
   while (!annealer.advance(kSlice)) {
   }
@@ -156,7 +161,7 @@ std::optional<CrowdedPlace> findCrowded(const sketch::Sketch& sketch,
     return joinsAll(near, alone, table, rounds, work);
   };
   CrowdedPlace place{at, radius, linesNear(sketch, at, radius), {}};
-  if (joined(place.lines, kRoundsOfAll, kWorkOfAll)) {
+  if (joined(place.lines, kRoundsAlone, kWorkOfAll)) {
     return std::nullopt;
   }
   std::vector<int> staying;

@@ -8,6 +8,7 @@
 #include "design/settings.h"
 #include "guide/guiding_graph.h"
 #include "mechanisms/mechanism_table.h"
+#include "search/annealing_options.h"
 #include "search/layout_search.h"
 #include "sketch/sketch.h"
 
@@ -24,6 +25,9 @@ struct CrowdedPlace {
 //! \brief Moves of a round, besides those for each run, where many short rounds are worth more than
 //! a long one.
 inline constexpr std::uint32_t kShortRound = 800;
+
+//! \brief Rounds in which all lines of a place are searched alone.
+inline constexpr std::uint32_t kRoundsAlone = 12;
 
 //! \brief The nodes of a layout whose beams are not all joined, or not without a fault.
 std::vector<lattice::Vec3> violatedPlaces(const guide::GuidingGraph& graph,
@@ -43,6 +47,12 @@ std::optional<CrowdedPlace> findCrowded(const sketch::Sketch& sketch,
                                         double radius,
                                         const Settings& settings,
                                         const mechanisms::MechanismTable& table);
+
+//! \brief The options of a search as it is made of a place alone: so many rounds, short ones, and
+//! no axles but for joints.
+search::AnnealingOptions optionsAlone(const sketch::Sketch& sketch,
+                                      search::AnnealingOptions options,
+                                      std::uint32_t rounds);
 
 //! \brief Whether a search of so many rounds joins all lines of a sketch. \param work
 //! AnnealingOptions::mostWork.

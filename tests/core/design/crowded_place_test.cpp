@@ -30,6 +30,17 @@ constexpr const char* kCorner = R"({"format": "technic-sketch", "version": 1, "l
   {"from": [0, 0, 0], "to": [8, 0, 0]}, {"from": [0, 0, 0], "to": [0, 8, 0]},
   {"from": [0, 0, 0], "to": [0, 0, 8]}]})";
 
+//! Ten spokes of a wheel in one plane, and its axle.
+constexpr const char* kSpokes = R"({"format": "technic-sketch", "version": 1, "lines": [
+  {"from": [0, 0, 0], "to": [6, 0, 0]}, {"from": [0, 0, 0], "to": [-6, 0, 0]},
+  {"from": [0, 0, 0], "to": [3, 4, 0]}, {"from": [0, 0, 0], "to": [-3, 4, 0]},
+  {"from": [0, 0, 0], "to": [3, -4, 0]}, {"from": [0, 0, 0], "to": [-3, -4, 0]},
+  {"from": [0, 0, 0], "to": [0, 6, 0]}, {"from": [0, 0, 0], "to": [0, 0, 6]},
+  {"from": [0, 0, 0], "to": [0, -6, 0]}, {"from": [0, 0, 0], "to": [4, 3, 0]},
+  {"from": [0, 0, 0], "to": [-4, 3, 0]}]})";
+
+constexpr std::uint32_t kSlice = 1000;
+
 sketch::Sketch read(const std::string& text) {
   base::Result<sketch::Sketch> sketch = sketch::readSketch(text);
   EXPECT_TRUE(sketch.ok());
@@ -73,10 +84,17 @@ TEST(CrowdedPlace, WithoutTheLinesThatItNamesTheOthersAreBuilt) {
   EXPECT_FALSE(look(sketch.dump()).has_value());
 }
 
+TEST(CrowdedPlace, WhatTheLookAtAllLinesJoinsIsBuilt) {
+  const auto session = DesignSession::create(kSpokes, "");
+  ASSERT_TRUE(session.ok());
+  while (!session.value()->advance(kSlice)) {
+  }
+  EXPECT_TRUE(json::parse(session.value()->reportJson())["buildable"]);
+}
+
 TEST(CrowdedPlace, IsTheFirstProblemOfTheReportAndEndsTheSearch) {
   auto session = DesignSession::create(kBall, "");
   ASSERT_TRUE(session.ok());
-  constexpr std::uint32_t kSlice = 1000;
   while (!session.value()->advance(kSlice)) {
   }
   const json report = json::parse(session.value()->reportJson());
