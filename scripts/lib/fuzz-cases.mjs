@@ -14,6 +14,8 @@ const SLANTS = [
 ];
 /** One in so many is of the larger kinds that `npm run random-sketches` draws. */
 const LARGE_SHARE = 0.1;
+const MOST_LINES = 8;
+const SMALL_LINES = 4;
 
 const add = (a, b, scale = 1) => a.map((x, i) => x + scale * b[i]);
 const lengthOf = ({ from, to }) => Math.round(Math.hypot(...add(to, from, -1)));
@@ -66,11 +68,11 @@ function mirrored(lines) {
   return [...lines, ...images];
 }
 
-function sketchOf(r, seed) {
-  if (r.chance(LARGE_SHARE)) {
+function sketchOf(r, seed, mostLines) {
+  if (mostLines > SMALL_LINES && r.chance(LARGE_SHARE)) {
     return randomSketch(seed).sketch;
   }
-  let lines = grown(r, r.whole(1, 8), [0, 0, 0]);
+  let lines = grown(r, r.whole(1, mostLines), [0, 0, 0]);
   if (r.chance(0.15)) {
     lines = [...lines, ...grown(r, r.whole(1, 3), [r.whole(-9, 9), r.whole(9, 15), 0])];
   }
@@ -100,23 +102,36 @@ function sketchOf(r, seed) {
   return sketch;
 }
 
-function settingsOf(r) {
-  const settings = [`effort=${r.pick(['0.05', '0.2', '1'])}`, `rounds=${r.whole(0, 3)}`];
-  const rare = (share, ...texts) => settings.push(...(r.chance(share) ? [r.pick(texts)] : []));
+function keysOf(r, isSmall) {
+  const efforts = isSmall ? ['0.05'] : ['0.05', '0.2', '1'];
+  const keys = [`effort=${r.pick(efforts)}`, `rounds=${r.whole(0, isSmall ? 1 : 3)}`];
+  const rare = (share, ...texts) => keys.push(...(r.chance(share) ? [r.pick(texts)] : []));
   rare(0.2, 'lengths=3,5,9,15', 'lengths=2,3', 'lengths=15');
   rare(0.1, 'owned.32316=1', 'owned.2780=4', 'owned.32524=0');
   rare(0.1, 'connectors=2780', 'connectors=2780,6558,3673');
   rare(0.1, 'search.axles=0', 'search.corners=0', 'search.frames=0', 'search.orbits=0');
-  return settings.flatMap((text) => ['--set', text]);
+  // To compose mechanisms of three parts takes longer than all else on a drawing of a few lines.
+  rare(isSmall ? 0.9 : 0, 'mechanismParts=1', 'mechanismParts=2');
+  return Object.fromEntries(keys.map((text) => text.split('=')));
 }
 
-/** @returns what the seed stands for: a sketch, and options of the command. */
-export function fuzzCase(seed) {
+/**
+ * @param {{ isSmall?: boolean }} [options] `isSmall`: up to four lines, and the least work.
+ * @returns what the seed stands for: a sketch, and settings as a session takes them.
+ */
+export function fuzzCase(seed, { isSmall = false } = {}) {
   const r = random(seed * 2654435761 + 1);
-  const sketch = sketchOf(r, seed);
-  const preset = r.pick(['simple', 'simple', 'faithful', 'simple-rigid']);
-  const method = r.chance(0.05) ? ['--method', 'paper'] : [];
-  return { sketch, args: [...settingsOf(r), '--preset', preset, ...method] };
+  const sketch = sketchOf(r, seed, isSmall ? SMALL_LINES : MOST_LINES);
+  const slow = isSmall ? 0.4 : 1; // what takes many times as long is rarer where many are to be tried
+  const preset = r.chance(0.25 * slow) ? 'simple-rigid' : r.pick(['simple', 'simple', 'faithful']);
+  const method = r.chance(0.05 * slow) ? { method: 'paper' } : {};
+  return { sketch, settings: { preset, ...method, set: keysOf(r, isSmall) } };
+}
+
+/** Settings as options of the command. */
+export function argumentsOf({ preset, method, set }) {
+  const pairs = Object.entries(set).flatMap(([key, value]) => ['--set', `${key}=${value}`]);
+  return [...pairs, '--preset', preset, ...(method === undefined ? [] : ['--method', method])];
 }
 
 const times = (m, n) =>

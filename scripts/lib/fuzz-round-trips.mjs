@@ -5,16 +5,52 @@ import { loadTypeScript } from './load-typescript.mjs';
 import { TOP } from './run.mjs';
 
 const NEAR = 0.01; // modules
+const OTHER_WAY = [-1, 0, 0, 0, -1, 0, 0, 0, -1]; // along the same axis
 
 const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
+const turned = (m, v) => [0, 3, 6].map((i) => m[i] * v[0] + m[i + 1] * v[1] + m[i + 2] * v[2]);
+
+/** What a part fills and where it can be held, in its own place: alike in two places, it is the same to a builder. */
+export function outlineOf({ id, solid, features }) {
+  const prisms = solid.map(({ from, to, axis, radius, halfThickness }) => ({
+    points: [from, to],
+    axis,
+    kind: `${radius} ${halfThickness}`,
+  }));
+  const ends = features.map(({ kind, center, axis, length, wing }) => ({
+    points: [center],
+    axis,
+    kind: `${kind} ${length} ${wing ? 'wing' : ''}`,
+  }));
+  return { id, items: [...prisms, ...ends] };
+}
+
+/** Whether two turns of a part leave it where it is: half a turn of a beam about its middle does. */
+export function looksAlike(outline, a, b) {
+  const placed = (turn) =>
+    outline.items.map(({ points, axis, kind }) => ({
+      points: points.map((point) => turned(turn, point)),
+      axis: turned(turn, axis),
+      kind,
+    }));
+  const near = (p, q) => distance(p, q) < NEAR;
+  const same = (one, other) =>
+    one.kind === other.kind &&
+    (near(one.axis, other.axis) || near(one.axis, turned(OTHER_WAY, other.axis))) &&
+    (one.points.every((point, i) => near(point, other.points[i])) ||
+      one.points.every((point, i) => near(point, other.points.at(-1 - i))));
+  const others = placed(b);
+  return placed(a).every((one) => others.some((other) => same(one, other)));
+}
 
 /** The page's readers and writers, bundled once. */
 export async function loadReaders() {
   const { encodeShare, decodeShare } = await loadTypeScript('web/src/share/codec.ts');
   const { readMpd } = await loadTypeScript('web/src/share/read-mpd.ts');
   const { readCatalogue } = await loadTypeScript('web/src/model/catalogue.ts');
-  const file = readFileSync(resolve(TOP, 'core/parts/catalogue.json'), 'utf8');
-  return { encodeShare, decodeShare, readMpd, catalogue: readCatalogue(JSON.parse(file)) };
+  const file = JSON.parse(readFileSync(resolve(TOP, 'core/parts/catalogue.json'), 'utf8'));
+  const outlines = new Map(file.parts.map((part) => [part.id, outlineOf(part)]));
+  return { encodeShare, decodeShare, readMpd, catalogue: readCatalogue(file), outlines };
 }
 
 /** @throws {Error} where the link of a sketch gives another one. */
@@ -44,7 +80,7 @@ export async function compareLink({ encodeShare, decodeShare }, sketch) {
 }
 
 /** @throws {Error} where the .mpd file of a model gives other parts, or the same elsewhere. */
-export function compareMpd({ readMpd, catalogue }, model, mpd) {
+export function compareMpd({ readMpd, catalogue, outlines }, model, mpd) {
   const read = readMpd(mpd, catalogue);
   if (!read.ok) {
     if (model.parts.length === 0) {
@@ -59,7 +95,8 @@ export function compareMpd({ readMpd, catalogue }, model, mpd) {
         other.part === part.part &&
         other.color === part.color &&
         distance(other.position, part.position) < NEAR &&
-        distance(other.rotation, part.rotation) < NEAR,
+        (distance(other.rotation, part.rotation) < NEAR ||
+          looksAlike(outlines.get(part.part), other.rotation, part.rotation)),
     );
     if (place < 0) {
       throw new Error(`.mpd: ${part.part} at ${part.position} is not in it`);

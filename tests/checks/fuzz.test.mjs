@@ -1,7 +1,11 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { test } from 'vitest';
-import { fuzzCase, rigidMotion } from '../../scripts/lib/fuzz-cases.mjs';
+import { argumentsOf, fuzzCase, rigidMotion } from '../../scripts/lib/fuzz-cases.mjs';
 import { movedModel } from '../../scripts/lib/fuzz-motion.mjs';
+import { looksAlike, outlineOf } from '../../scripts/lib/fuzz-round-trips.mjs';
+import { TOP } from '../../scripts/lib/run.mjs';
 
 const apart = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 
@@ -40,4 +44,32 @@ test('a moved model keeps its distances and its handedness', () => {
     const along = line.to.map((value, i) => value - line.from[i]);
     assert.ok(Math.abs(along['xyz'.indexOf(line.holeAxis)]) < 1e-8);
   }
+});
+
+test('small cases have four lines and their images, and three more apart, at most', () => {
+  for (let seed = 1; seed <= 200; ++seed) {
+    const { sketch, settings } = fuzzCase(seed, { isSmall: true });
+    assert.ok(sketch.lines.length <= 2 * (4 + 3), sketch.name);
+    assert.equal(settings.set.effort, '0.05');
+  }
+});
+
+test('settings are said to the command as to the module', () => {
+  const settings = { preset: 'simple', method: 'paper', set: { effort: '1', 'owned.2780': '4' } };
+  assert.deepEqual(argumentsOf(settings), [
+    ...['--set', 'effort=1', '--set', 'owned.2780=4'],
+    ...['--preset', 'simple', '--method', 'paper'],
+  ]);
+});
+
+test('a beam looks alike after half a turn, and no other way; a cross block after none', () => {
+  const file = readFileSync(resolve(TOP, 'core/parts/catalogue.json'), 'utf8');
+  const outline = (id) => outlineOf(JSON.parse(file).parts.find((part) => part.id === id));
+  const upright = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const half = [-1, 0, 0, 0, -1, 0, 0, 0, 1];
+  const quarter = [0, -1, 0, 1, 0, 0, 0, 0, 1];
+  assert.ok(looksAlike(outline('32525'), upright, half));
+  assert.ok(!looksAlike(outline('32525'), upright, quarter));
+  const overX = [1, 0, 0, 0, -1, 0, 0, 0, -1];
+  assert.ok(!looksAlike(outline('6536'), upright, overX));
 });
