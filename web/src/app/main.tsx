@@ -26,6 +26,7 @@ import '../../styles/verdict.css';
 import '../../styles/menu.css';
 import '../../styles/narrow.css';
 import '../../styles/controls.css';
+import '../../styles/scene.css';
 import '../../styles/inspect.css';
 import '../../styles/panel.css';
 import '../../styles/dialogs.css';

@@ -57,6 +57,8 @@ export class PageState {
   readonly display = signal<PartDisplay | null>(null);
   readonly isolation = signal<Isolation | null>(null);
   readonly section = signal<Section | null>(null);
+  readonly offsetOpen = signal(false);
+  readonly ghostLines = signal<readonly (readonly [Vec3, Vec3])[]>([]);
   readonly pointerTaker = signal<PointerTaker | null>(null);
   /** The joint that is being changed. */
   readonly joint: Signal<JointPlace | null>;

@@ -7,6 +7,8 @@ export interface PointerTarget {
   released(at: PointerInput): void;
   left(): void;
   abandoned(): void;
+  /** @returns whether a key over the drawing was meant for something that lies over it. */
+  typed(key: string): boolean;
 }
 
 /**
@@ -34,6 +36,17 @@ export class PointerFeed {
     host.addEventListener('pointerleave', (event) => this.#onLeave(event), {
       signal: this.#stop.signal,
     });
+    canvas.addEventListener(
+      'keydown',
+      (event) => {
+        const plain = !event.ctrlKey && !event.metaKey && !event.altKey;
+        if (plain && this.#target.typed(event.key)) {
+          event.preventDefault();
+          event.stopPropagation();
+        }
+      },
+      { signal: this.#stop.signal },
+    );
     host.addEventListener('contextmenu', (event) => event.preventDefault(), options);
   }
 
@@ -42,6 +55,10 @@ export class PointerFeed {
   }
 
   #onDown(event: PointerEvent): void {
+    // What lies over the drawing, as the field of a length, has its presses for itself.
+    if (event.target !== this.#canvas) {
+      return;
+    }
     this.#down.add(event.pointerId);
     this.#canvas.focus({ preventScroll: true });
     if (this.#down.size > 1) {

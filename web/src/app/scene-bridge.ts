@@ -9,11 +9,13 @@ import type { PointerTaker } from '../ui/page.ts';
 import { findRoom } from '../ui/rooms/room-table.ts';
 import { text } from '../ui/text.ts';
 import { SceneView } from '../view/scene-view.ts';
-import type { Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
+import type { LinePreview, Navigation, Pick, SketchMarks, ThemeName } from '../view/view-types.ts';
+import { changeLength } from './change-length.ts';
 import { JointScene } from './joint-scene.ts';
 import type { PageState } from './page-state.ts';
 import { PointerFeed, type PointerTarget } from './pointer-feed.ts';
 import { SceneAxes } from './scene-axes.ts';
+import { SceneDimensions } from './scene-dimensions.ts';
 import { SceneLabel } from './scene-label.ts';
 import { SceneLocks } from './scene-locks.ts';
 
@@ -36,6 +38,7 @@ export class SceneBridge implements PointerTarget {
   /** Made with the scene: they need a document. */
   #label: SceneLabel | null = null;
   #locks: SceneLocks | null = null;
+  #dimensions: SceneDimensions | null = null;
   #coarse = false;
   #nextInterim = 0;
   #lastModel: Model | null = null;
@@ -71,7 +74,13 @@ export class SceneBridge implements PointerTarget {
     const label = new SceneLabel();
     const axes = new SceneAxes();
     const locks = new SceneLocks();
-    host.append(canvas, axes.element, locks.element, label.element);
+    const dimensions = new SceneDimensions({
+      onLength: (wish) => changeLength(this.#state, wish),
+      leave: () => this.focus(),
+      replace: () => this.#placeLabel(),
+    });
+    host.append(canvas, axes.element, locks.element, dimensions.element, label.element);
+    this.#dimensions = dimensions;
     this.#label = label;
     this.#locks = locks;
     this.#canvas = canvas;
@@ -101,6 +110,7 @@ export class SceneBridge implements PointerTarget {
       canvas.remove();
       axes.element.remove();
       locks.element.remove();
+      dimensions.element.remove();
       label.element.remove();
     };
   }
@@ -208,6 +218,7 @@ export class SceneBridge implements PointerTarget {
       effect(() => this.#showOverlay(host)),
       effect(() => this.#joint.show(this.#view, state, handle.value)),
       effect(() => this.#showLocks()),
+      effect(() => this.#showDimensions()),
     ];
     return () => {
       for (const stop of stops) {
@@ -263,7 +274,7 @@ export class SceneBridge implements PointerTarget {
     // Tools that draw show where: the plane appears with the pointer or the keyboard's cursor.
     const plane = overlay.cursor || overlay.preview ? overlay.plane : null;
     this.#view?.setGuidePlane(plane, overlay.cursor);
-    this.#view?.setPreview(overlay.preview);
+    this.#view?.setPreview(overlay.preview ?? previewOf(this.#state.ghostLines.value));
     this.#label?.set(overlay.label);
     this.#placeLabel();
   }
@@ -276,11 +287,31 @@ export class SceneBridge implements PointerTarget {
     this.#placeLabel();
   }
 
+  /** Lengths of selected lines, or of all; that of a single one can be changed. */
+  #showDimensions(): void {
+    const { store, tool, preferences } = this.#state;
+    const [sketch, selection] = [store.sketch.value, store.selection.value];
+    const { show, dimensions } = preferences.value;
+    const selecting = tool.value.id === 'select';
+    const [first] = selection;
+    const all = dimensions ? sketch.lines.keys() : [];
+    const shown = show === 'model' ? [] : new Set([...(selecting ? selection : []), ...all]);
+    const edited = selecting && selection.size === 1 ? (first ?? null) : null;
+    this.#dimensions?.set(sketch, shown, edited);
+    this.#placeLabel();
+  }
+
+  /** @returns whether a key was the beginning of a length. */
+  typed(key: string): boolean {
+    return this.#dimensions?.type(key) ?? false;
+  }
+
   #placeLabel(): void {
     const view = this.#view;
     if (view) {
       this.#label?.place((at) => view.project(at));
       this.#locks?.place((at) => view.project(at));
+      this.#dimensions?.place((at) => view.project(at));
     }
   }
 
@@ -292,4 +323,8 @@ export class SceneBridge implements PointerTarget {
       this.#view?.centreOn(at);
     }
   }
+}
+
+function previewOf([first, ...more]: PageState['ghostLines']['value']): LinePreview | null {
+  return first ? { from: first[0], to: first[1], state: 'ok', more } : null;
 }

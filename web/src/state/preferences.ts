@@ -13,6 +13,8 @@ export interface Preferences extends SearchSettings {
   readonly show: 'sketch' | 'both' | 'model';
   readonly colourBy: 'part' | 'layer' | 'axis' | 'component' | 'piece';
   readonly projection: 'perspective' | 'orthographic';
+  /** Whether all lines have their lengths beside them. */
+  readonly dimensions: boolean;
   /** Whether the first task is guided; over once it is done or waved away. */
   readonly guide: boolean;
   /** What a step of the instructions asks for at most. */
@@ -27,6 +29,7 @@ export const PREFERENCE_DEFAULTS: Preferences = Object.freeze({
   show: 'both',
   colourBy: 'part',
   projection: 'perspective',
+  dimensions: false,
   guide: true,
   partsAStep: PARTS_A_STEP.usual,
 });
@@ -41,6 +44,7 @@ const ACCEPTS: { readonly [K in keyof PageFields]: (value: unknown) => boolean }
   show: oneOf('sketch', 'both', 'model'),
   colourBy: oneOf('part', 'layer', 'axis', 'component', 'piece'),
   projection: oneOf('perspective', 'orthographic'),
+  dimensions: (value) => typeof value === 'boolean',
   guide: (value) => typeof value === 'boolean',
   partsAStep: (value) =>
     typeof value === 'number' &&

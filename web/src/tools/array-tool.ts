@@ -1,12 +1,13 @@
 import { samePoint, scale, subtract, type Vec3 } from '../geometry/vec.ts';
-import { addLines, mapLine, shift } from '../state/edits.ts';
+import { copyLines } from '../state/copy-lines.ts';
+import { mapLine, shift } from '../state/edits.ts';
+import { MAX_COPIES } from '../state/offset-lines.ts';
 import type { GuidePlane, ScreenPoint } from '../view/view-types.ts';
 import { PointTool } from './point-tool.ts';
 import { type Located, locateFree } from './snap.ts';
 import { fillWords } from './tool-words.ts';
 
 const DEFAULT_COPIES = 2;
-const MAX_COPIES = 50;
 
 /** Copies of the selection in a row: from where, to where the first copy lies, and how many. */
 export class ArrayTool extends PointTool {
@@ -38,11 +39,12 @@ export class ArrayTool extends PointTool {
     }
     this.#copies = this.#count();
     this.points = [];
-    const chosen = store.sketch.value.lines.filter((_, i) => store.selection.value.has(i));
-    const copies = this.#steps(from, to).flatMap((step) =>
-      chosen.map((line) => mapLine(line, shift(step))),
+    const { sketch } = copyLines(
+      store.sketch.value,
+      store.selection.value,
+      this.#steps(from, to).map(shift),
     );
-    store.commit(words.edits.array, addLines(store.sketch.value, copies));
+    store.commit(words.edits.array, sketch);
   }
 
   protected previewTo(to: Vec3): readonly (readonly [Vec3, Vec3])[] {

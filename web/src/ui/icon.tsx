@@ -15,6 +15,7 @@ const PATHS = {
   trash: 'M4 5.5h12M8 5.5v-2h4v2M5.5 5.5l.8 11h7.4l.8-11M8.5 9v4.5M11.5 9v4.5',
   copy: 'M7 7h9.5v9.5H7zM4.5 13h-1V3.5H13v1',
   paste: 'M6.5 4.5h-2v12h11v-12h-2M7.5 3h5v3h-5zM7.5 10h5M7.5 13h5',
+  offset: 'M3 4.5h6v6H3zM11 9.5h6v6h-6zM9.5 4.5H14v3M12.5 6 14 7.6 15.5 6',
   mirror: 'M10 3v14M8 6l-4.5 8.5H8zM12 6l4.5 8.5H12',
   rotate: 'M15.5 7.5A6.2 6.2 0 1 0 16.2 11M16 3.5v4h-4',
   split: 'M3 10h4.5M12.5 10H17M10 3.5v4M10 12.5v4',

@@ -192,6 +192,10 @@ export interface Page {
   readonly display: Signal<PartDisplay | null>;
   readonly isolation: Signal<Isolation | null>;
   readonly section: Signal<Section | null>;
+  /** The card that moves, copies and mirrors lines by numbers. */
+  readonly offsetOpen: Signal<boolean>;
+  /** Lines that somebody is about to draw otherwise than with a tool. */
+  readonly ghostLines: Signal<readonly (readonly [Vec3, Vec3])[]>;
   /** Set while something in the scene can be dragged, null otherwise. */
   readonly pointerTaker: Signal<PointerTaker | null>;
   /** The place that is open by its name in the address, null for the drawing; see ui/places.ts. */

@@ -3,6 +3,7 @@ import { CommandButton } from './controls.tsx';
 import { FirstSteps } from './first-steps.tsx';
 import { Icon } from './icon.tsx';
 import { JointCard } from './joint-card.tsx';
+import { OffsetCard } from './offset-card.tsx';
 import { usePage } from './page-context.ts';
 import { PartCard } from './part-card.tsx';
 import { findRoom } from './rooms/room-table.ts';
@@ -38,6 +39,7 @@ export function Stage() {
       <SelectionBox />
       <div class="stage-top">
         <ToolOptions />
+        <OffsetCard />
         <JointCard />
         <Invitation />
         <FirstSteps />

@@ -13,6 +13,7 @@ const PLANES: readonly { value: PlaneMode; label: string; command: string }[] = 
 ];
 
 const SELECTION_COMMANDS = [
+  'offset',
   'duplicate',
   'tool.array',
   'mirrorX',

@@ -22,6 +22,7 @@ const VIEWS = [
   'viewLeft',
   'viewBottom',
   'projection',
+  'dimensions',
 ] as const;
 
 /** How the scene is looked at. */

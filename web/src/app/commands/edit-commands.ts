@@ -2,15 +2,8 @@ import { type AxisName, add, scale, subtract, type Vec3 } from '../../geometry/v
 import { boundsOfPoints } from '../../model/bounds.ts';
 import { lineLength, type SketchLine } from '../../model/sketch.ts';
 import { chainedLines, connectedLines, joinLines } from '../../state/connectivity.ts';
-import {
-  addLines,
-  type LineMap,
-  mapLine,
-  mapLines,
-  mirrorAt,
-  quarterTurn,
-  removeLines,
-} from '../../state/edits.ts';
+import { copyLines } from '../../state/copy-lines.ts';
+import { type LineMap, mapLines, mirrorAt, quarterTurn, removeLines } from '../../state/edits.ts';
 import { mirrorPlace } from '../../state/mirror-place.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import type { Command } from '../../ui/command.ts';
@@ -227,7 +220,7 @@ function scaleFrom(factor: number, corner: Vec3): LineMap {
 }
 
 function transformCommands(actions: Actions): Command[] {
-  const { store } = actions.state;
+  const { store, offsetOpen } = actions.state;
   const some = () => store.selection.value.size > 0;
   const middle = () => wholeMiddle(selectedLines(store.sketch.value, store.selection.value));
   const corner = () =>
@@ -237,6 +230,19 @@ function transformCommands(actions: Actions): Command[] {
   const inPlace = (label: string, map: LineMap) =>
     actions.edit(label, mapLines(store.sketch.value, store.selection.value, map));
   return [
+    {
+      id: 'offset',
+      label: text.commands.offset,
+      group: 'edit',
+      icon: 'offset',
+      shortcut: 'Shift+O',
+      when: some,
+      checked: () => offsetOpen.value,
+      run: () => {
+        actions.useTool('select');
+        offsetOpen.value = !offsetOpen.value;
+      },
+    },
     ...MIRRORS.map(
       ([id, axis, label, shortcut]): Command => ({
         id,
@@ -278,8 +284,7 @@ function mirrorCopy(actions: Actions, axis: AxisName): void {
   const { store } = actions.state;
   const sketch = store.sketch.value;
   const mirror = mirrorAt(axis, mirrorPlace(sketch, store.selection.value, axis));
-  const images = selectedLines(sketch, store.selection.value).map((line) => mapLine(line, mirror));
-  actions.edit(text.edits.mirror, addLines(sketch, images));
+  actions.edit(text.edits.mirror, copyLines(sketch, store.selection.value, [mirror]).sketch);
 }
 
 /** The middle of some lines, moved to the lattice so that whole points turn into whole points. */

@@ -70,6 +70,7 @@ const DIALOGS: readonly (readonly [
 export function viewCommands(actions: Actions): Command[] {
   return [
     ...cameraCommands(actions),
+    dimensions(actions),
     ...choices(actions, 'show', 'palette', SHOWS),
     ...choices(actions, 'colourBy', 'palette', COLOURS),
     ...choices(actions, 'theme', 'theme', THEMES),
@@ -148,6 +149,21 @@ function themeNext({ state }: Actions): Command {
     run: () => {
       const theme = state.themeName.value === 'dark' ? 'light' : 'dark';
       state.preferences.value = { ...state.preferences.value, theme };
+    },
+  };
+}
+
+/** Lengths beside all lines; those of selected ones are there anyway. */
+function dimensions({ state: { preferences } }: Actions): Command {
+  return {
+    id: 'dimensions',
+    label: text.commands.dimensions,
+    group: 'view',
+    icon: 'measure',
+    shortcut: 'Shift+L',
+    checked: () => preferences.value.dimensions,
+    run: () => {
+      preferences.value = { ...preferences.value, dimensions: !preferences.value.dimensions };
     },
   };
 }
