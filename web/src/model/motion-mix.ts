@@ -1,5 +1,5 @@
 import { add, type Mat3, multiply, rotate, subtract } from '../geometry/vec.ts';
-import { type MotionPath, type MovedPart, posesAt } from './motion.ts';
+import { type MotionPath, type MovedPart, poseAt, posesAt } from './motion.ts';
 
 // Several motions of one model at once.
 
@@ -48,6 +48,21 @@ export function mixedPoses(driven: readonly Driven[]): Map<number, MovedPart> {
   return result;
 }
 
+/** Where one part stands under several motions that can be had together; null where none moves it. */
+export function mixedPose(driven: readonly Driven[], part: number): MovedPart | null {
+  const order = outerFirst(driven.map(({ path }) => path)).reverse();
+  let result: MovedPart | null = null;
+  for (const path of order) {
+    const i = path.parts.indexOf(part);
+    const degrees = driven.find((each) => each.path === path)?.degrees ?? 0;
+    const [start, pose] = i < 0 ? [] : [poseAt(path, 0, i), poseAt(path, degrees, i)];
+    if (start && pose) {
+      result = after(displacement(start, pose), result ?? start);
+    }
+  }
+  return result;
+}
+
 function outerFirst(paths: readonly MotionPath[]): MotionPath[] {
   return [...paths].sort((a, b) => b.parts.length - a.parts.length);
 }
@@ -76,7 +91,7 @@ function carries(outer: MotionPath, inner: MotionPath): boolean {
 }
 
 /** What takes a part from one place to another: p -> rotation p + position. */
-function displacement(start: MovedPart, now: MovedPart): MovedPart {
+export function displacement(start: MovedPart, now: MovedPart): MovedPart {
   const rotation = multiply(now.rotation, transposed(start.rotation));
   return { rotation, position: subtract(now.position, rotate(rotation, start.position)) };
 }
@@ -97,6 +112,6 @@ function isSame(a: MovedPart, b: MovedPart): boolean {
   );
 }
 
-function transposed(m: Mat3): Mat3 {
+export function transposed(m: Mat3): Mat3 {
   return [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
 }

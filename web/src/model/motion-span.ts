@@ -4,6 +4,11 @@ export interface Span {
   readonly to: number;
 }
 
+/** The angles that a motion has. */
+export function spanOf({ angles }: { readonly angles: readonly number[] }): Span {
+  return { from: angles[0] ?? 0, to: angles.at(-1) ?? 0 };
+}
+
 /** Whether a motion that goes on at one end comes in at the other. */
 export function isFullTurn({ from, to }: Span): boolean {
   return to - from >= 359;

@@ -87,20 +87,41 @@ export function readMotionPath(text: string): MotionPath {
 
 /** Where the moving parts are at an angle, by their index; outside the range, at its end. */
 export function posesAt(path: MotionPath, degrees: number): Map<number, MovedPart> {
-  const { angles } = path;
+  const key = keyAt(path, degrees);
+  const places = new Map<number, MovedPart>();
+  path.parts.forEach((part, i) => {
+    const place = placeAt(path, key, i);
+    if (place) {
+      places.set(part, place);
+    }
+  });
+  return places;
+}
+
+/** The same of one part alone, the i-th of those that move. */
+export function poseAt(path: MotionPath, degrees: number, i: number): MovedPart | null {
+  return placeAt(path, keyAt(path, degrees), i);
+}
+
+/** Two key poses, and the share of the second. */
+interface Key {
+  readonly first: number;
+  readonly last: number;
+  readonly share: number;
+}
+
+function keyAt({ angles }: MotionPath, degrees: number): Key {
   const after = angles.findIndex((angle) => angle >= degrees);
   const last = after < 0 ? angles.length - 1 : after;
   const first = Math.max(0, last - 1);
   const [a, b] = [angles[first] ?? 0, angles[last] ?? 0];
   const share = b > a ? Math.min(1, Math.max(0, (degrees - a) / (b - a))) : 0;
-  const places = new Map<number, MovedPart>();
-  path.parts.forEach((part, i) => {
-    const [p, q] = [path.poses[first]?.[i], path.poses[last]?.[i]];
-    if (p && q) {
-      places.set(part, between(p, q, share));
-    }
-  });
-  return places;
+  return { first, last, share };
+}
+
+function placeAt({ poses }: MotionPath, { first, last, share }: Key, i: number): MovedPart | null {
+  const [p, q] = [poses[first]?.[i], poses[last]?.[i]];
+  return p && q ? between(p, q, share) : null;
 }
 
 /** Between two poses that are a few degrees apart: mixed and made unit again. */

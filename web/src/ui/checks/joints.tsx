@@ -1,8 +1,9 @@
-import type { ComponentChildren } from 'preact';
+import type { ComponentChildren, ComponentType } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import type { JointRange, MotionAnswer } from '../../model/motion.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { type Driver, MotionBoard } from '../motion/motion-board.ts';
+import type { MotionToolsProps } from '../motion/motion-tools.tsx';
 import { Transport } from '../motion/transport.tsx';
 import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
@@ -53,7 +54,33 @@ function JointsCheck({ shown }: CheckProps) {
   if (!answer) {
     return null;
   }
-  return <JointList joints={answer.joints} study={motionStudyOf(shown)} onDisplay={onDisplay} />;
+  const study = motionStudyOf(shown);
+  return (
+    <JointList
+      joints={answer.joints}
+      study={study}
+      onDisplay={onDisplay}
+      tools={(board, onDrive) => (
+        <LateTools shown={shown} study={study} answer={answer} board={board} onDrive={onDrive} />
+      )}
+    />
+  );
+}
+
+/** Dragging, traces, plots and films: they come when a joint is first looked at. */
+function LateTools(props: MotionToolsProps) {
+  const [Tools, setTools] = useState<ComponentType<MotionToolsProps> | null>(null);
+  useEffect(() => {
+    let open = true;
+    import('../motion/motion-tools.tsx').then(
+      ({ MotionTools }) => open && setTools(() => MotionTools),
+      () => undefined,
+    );
+    return () => {
+      open = false;
+    };
+  }, []);
+  return Tools ? <Tools {...props} /> : null;
 }
 
 /** The joints with their ranges; those that are chosen can be turned. */
@@ -61,8 +88,10 @@ export function JointList(props: {
   readonly joints: readonly JointRange[];
   readonly study: MotionStudy;
   readonly onDisplay: (display: PartDisplay | null) => void;
+  /** What else can be done with the motion of the model in the drawing. */
+  readonly tools?: (board: MotionBoard, onDrive: (joint: number) => void) => ComponentChildren;
 }) {
-  const { joints, study, onDisplay } = props;
+  const { joints, study, onDisplay, tools } = props;
   const board = useMemo(() => new MotionBoard(study), [study]);
   const [open, setOpen] = useState(0);
   const [note, setNote] = useState('');
@@ -109,6 +138,7 @@ export function JointList(props: {
           onDisplay={onDisplay}
         />
       ) : null}
+      {chosen?.turns ? tools?.(board, setOpen) : null}
     </>
   );
 }

@@ -1,5 +1,13 @@
 import { canvasToPng } from '../../view/still/canvas-png.ts';
-import type { FilmStage } from './film-stage.ts';
+
+/** What a film is made of: any moment of it, drawn on a canvas. */
+export interface FilmSource {
+  readonly canvas: HTMLCanvasElement;
+  /** Seconds at speed 1. */
+  readonly duration: number;
+  /** @param second at speed 1. */
+  draw(second: number, width: number, height: number): void;
+}
 
 export interface FilmFile {
   readonly extension: 'mp4' | 'webm' | 'gif' | 'zip';
@@ -23,7 +31,7 @@ export function canWriteVideo(): boolean {
 }
 
 /** The film as MP4 where the browser can, else as WebM. @throws Error when it can write neither. */
-export async function writeVideo(stage: FilmStage, options: FilmOptions): Promise<FilmFile> {
+export async function writeVideo(stage: FilmSource, options: FilmOptions): Promise<FilmFile> {
   const media = await import('mediabunny');
   const { width, height, rate } = VIDEO;
   const mp4 = await media.getFirstEncodableVideoCodec(['avc', 'hevc'], { width, height });
@@ -59,7 +67,7 @@ export async function writeVideo(stage: FilmStage, options: FilmOptions): Promis
 }
 
 /** The film as GIF: larger and coarser, but every browser can write it. */
-export async function writeGif(stage: FilmStage, options: FilmOptions): Promise<FilmFile> {
+export async function writeGif(stage: FilmSource, options: FilmOptions): Promise<FilmFile> {
   const { GIFEncoder, quantize, applyPalette } = await import('gifenc');
   const { width, height, rate, colours } = GIF;
   const gif = GIFEncoder();
@@ -87,7 +95,7 @@ export async function writeGif(stage: FilmStage, options: FilmOptions): Promise<
 }
 
 /** The film as numbered pictures in an archive, for programs that make a video of them. */
-export async function writePictures(stage: FilmStage, options: FilmOptions): Promise<FilmFile> {
+export async function writePictures(stage: FilmSource, options: FilmOptions): Promise<FilmFile> {
   const { zipSync } = await import('fflate');
   const { width, height, rate } = PICTURES;
   const entries: Record<string, Uint8Array> = {};
@@ -104,7 +112,7 @@ export async function writePictures(stage: FilmStage, options: FilmOptions): Pro
   return { extension: 'zip', content: new Blob([archive], { type: 'application/zip' }) };
 }
 
-function* frames(stage: FilmStage, options: FilmOptions, rate: number) {
+function* frames(stage: FilmSource, options: FilmOptions, rate: number) {
   const count = Math.max(1, Math.ceil((stage.duration / options.speed) * rate));
   for (let index = 0; index < count; index++) {
     yield { index, second: (index / rate) * options.speed, share: (index + 1) / count };

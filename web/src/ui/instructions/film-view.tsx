@@ -1,16 +1,8 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { Icon } from '../icon.tsx';
-import { safeName, saveFile } from '../share/save-file.ts';
 import type { Book } from './book.ts';
-import {
-  canWriteVideo,
-  type FilmFile,
-  type FilmOptions,
-  writeGif,
-  writePictures,
-  writeVideo,
-} from './film-export.ts';
+import { FilmFiles } from './film-files.tsx';
 import { FilmStage } from './film-stage.ts';
 import { instructionWords as words } from './instruction-words.ts';
 
@@ -99,70 +91,10 @@ export function FilmView({ book }: { readonly book: Book }) {
           </select>
         </label>
       </div>
-      {stage ? <FilmFiles stage={stage} speed={speed} title={book.title} /> : null}
+      {stage ? (
+        <FilmFiles open={() => stage} speed={speed} title={book.title} pictures={true} />
+      ) : null}
       {message ? <p role="alert">{message}</p> : null}
-    </div>
-  );
-}
-
-function FilmFiles(props: {
-  readonly stage: FilmStage;
-  readonly speed: number;
-  readonly title: string;
-}) {
-  const [share, setShare] = useState<number | null>(null);
-  const [failure, setFailure] = useState('');
-  const running = useRef<AbortController | null>(null);
-  useEffect(() => () => running.current?.abort(), []);
-  const save = async (
-    write: (stage: FilmStage, options: FilmOptions) => Promise<FilmFile>,
-  ): Promise<void> => {
-    const stop = new AbortController();
-    running.current = stop;
-    setFailure('');
-    setShare(0);
-    try {
-      const options = { speed: props.speed, signal: stop.signal, onProgress: setShare };
-      const file = await write(props.stage, options);
-      saveFile(safeName(props.title, file.extension), file.content);
-    } catch (error) {
-      if (!stop.signal.aborted) {
-        setFailure(fillWords(words.filmFailed, { message: String(error) }));
-      }
-    } finally {
-      running.current = null;
-      setShare(null);
-    }
-  };
-  const begin = (write: Parameters<typeof save>[0]) => () => {
-    save(write).catch(() => undefined);
-  };
-  return (
-    <div class="film-files">
-      {share === null ? (
-        <>
-          {canWriteVideo() ? (
-            <button type="button" class="button" onClick={begin(writeVideo)}>
-              {words.saveVideo}
-            </button>
-          ) : null}
-          <button type="button" class="button" onClick={begin(writeGif)}>
-            {words.saveGif}
-          </button>
-          <button type="button" class="button" onClick={begin(writePictures)}>
-            {words.savePictures}
-          </button>
-        </>
-      ) : (
-        <>
-          <progress value={share} max={1} />
-          <span role="status">{fillWords(words.encoding, { n: Math.round(share * 100) })}</span>
-          <button type="button" class="button" onClick={() => running.current?.abort()}>
-            {words.cancel}
-          </button>
-        </>
-      )}
-      {failure ? <p role="alert">{failure}</p> : null}
     </div>
   );
 }

@@ -1,7 +1,7 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { JointRange, MotionPath, MovedPart } from '../../model/motion.ts';
 import { canMix, mixedPoses } from '../../model/motion-mix.ts';
-import { isFullTurn, type Span, within } from '../../model/motion-span.ts';
+import { isFullTurn, type Span, spanOf, within } from '../../model/motion-span.ts';
 import type { MotionStudy, Mover } from '../checks/motion-study.ts';
 
 /** Something that turns, and how far it has. */
@@ -119,11 +119,6 @@ export class MotionBoard {
       return null;
     }
   }
-}
-
-/** The angles that a motion has. */
-export function spanOf({ angles }: MotionPath): Span {
-  return { from: angles[0] ?? 0, to: angles.at(-1) ?? 0 };
 }
 
 function clamped({ from, to }: Span, degrees: number): number {

@@ -1,11 +1,12 @@
 import { effect } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
+import { spanOf } from '../../model/motion-span.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { motionWords as words } from '../checks/motion-words.ts';
 import { Icon } from '../icon.tsx';
 import { formatNumber } from '../text/language.ts';
 import { inWords } from '../text/sentences.ts';
-import { type Driver, type MotionBoard, SPEEDS, spanOf } from './motion-board.ts';
+import { type Driver, type MotionBoard, SPEEDS } from './motion-board.ts';
 
 /** Whoever wants little motion sees single poses, so many degrees and so much time apart. */
 const CALM = { degrees: 10, ms: 500, perSecond: 45 } as const;
