@@ -1,5 +1,5 @@
 import type { CDPSession } from '@playwright/test';
-import { canvasPoint, expect, expectLines, openPage, settled, test } from './helpers/test.ts';
+import { canvasPoint, expect, expectLines, goTo, openPage, settled, test } from './helpers/test.ts';
 
 test.use({ draws: false, viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
@@ -37,4 +37,15 @@ test('the sheet opens over the drawing and closes again', async ({ page }) => {
   await expect(choice).toBeVisible();
   await page.getByRole('button', { name: 'Hide result and settings' }).tap();
   await expect(choice).toBeHidden();
+});
+
+test('a room covers the drawing, down to the places', async ({ page }) => {
+  await openPage(page);
+  await goTo(page, 'Share');
+  const room = page.locator('.room');
+  await expect(room).toBeVisible();
+  const places = await page.getByRole('navigation').boundingBox();
+  const box = await room.boundingBox();
+  expect(box?.y).toBe(0);
+  expect((box?.y ?? 0) + (box?.height ?? 0)).toBeCloseTo(places?.y ?? 0, 0);
 });

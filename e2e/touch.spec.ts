@@ -135,3 +135,29 @@ test('a line has a side, ends of beams, and beams to take hold of', async ({ pag
   await beam.click(SOLVED);
   await expect(page.getByRole('region', { name: 'Part', exact: true })).toBeVisible();
 });
+
+test.describe('on a phone', () => {
+  test.use({ viewport: { width: 390, height: 844 } });
+
+  test('the card does not hide the part that it is about, nor its padlock', async ({ page }) => {
+    const card = await open(page);
+    const lock = page.locator('.scene-locks > span');
+    // One part after the other, so that some lie where the card is.
+    for (let i = 0; i < 6; i++) {
+      await page.locator('.scene canvas').focus();
+      await page.keyboard.press('n');
+      const keepIt = card.getByRole('button', { name: 'Lock', exact: true });
+      if (!(await keepIt.isVisible())) {
+        continue;
+      }
+      await keepIt.click();
+      await expect(card.getByRole('button', { name: 'Unlock' })).toBeVisible(SOLVED);
+      await expect(lock).toHaveCount(1);
+      const [mark, sheet] = [await lock.boundingBox(), await card.boundingBox()];
+      expect((mark?.y ?? 0) + (mark?.height ?? 0)).toBeLessThan(sheet?.y ?? 0);
+      await card.getByRole('button', { name: 'Unlock' }).click();
+      await expect(lock).toHaveCount(0);
+      await expect(keepIt).toBeVisible(SOLVED);
+    }
+  });
+});

@@ -187,9 +187,9 @@ export class SceneView {
     this.#rig.fit(points.length > 0 ? points : corners(DEFAULT_BOX), view);
   }
 
-  /** Brings a place to the middle of the picture without turning. */
-  centreOn(point: Vec3): void {
-    this.#rig.centreOn(point);
+  /** Brings a place to the middle of the picture, or by a share of its height above it, without turning. */
+  centreOn(point: Vec3, above = 0): void {
+    this.#rig.centreOn(point, above);
   }
 
   /** Turns about what is looked at: radians to the right and upwards. */

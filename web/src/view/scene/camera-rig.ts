@@ -150,9 +150,13 @@ export class CameraRig {
     this.#moveTo(target.clone(), eye, this.#heightAt(bounded));
   }
 
-  /** Brings a point to the middle without turning. */
-  centreOn(point: Vec3): void {
-    const target = new Vector3(...point);
+  /**
+   * Brings a point to the middle without turning.
+   * @param above how far above the middle instead, as a share of the height of the picture.
+   */
+  centreOn(point: Vec3, above = 0): void {
+    const up = new Vector3().setFromMatrixColumn(this.camera.matrixWorld, 1);
+    const target = new Vector3(...point).addScaledVector(up, -above * this.viewHeight());
     const eye = this.camera.position.clone().sub(this.controls.target).add(target);
     this.#moveTo(target, eye);
   }

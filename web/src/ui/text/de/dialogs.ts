@@ -10,7 +10,7 @@ export const DIALOGS_DE: Words<typeof DIALOGS_EN> = {
   },
   bricks: {
     title: 'Teilesatz',
-    text: 'Ausgeschaltete Teile werden nicht verwendet. Mit Anzahlen sagt die Teileliste, was fehlt.',
+    text: 'Ausgeschaltete Teile werden nicht verbaut, gezählte nicht öfter, als es sie gibt.',
     import: 'Teileliste öffnen …',
     reset: 'Alle Teile, ohne Anzahl',
     owned: 'Vorhanden',

@@ -9,7 +9,7 @@ export const DIALOGS_EN = {
   },
   bricks: {
     title: 'Brick set',
-    text: 'Parts that are off are not used. With counts, the parts list says what is missing.',
+    text: 'Parts that are off are not used, and of those with a count no more than there are.',
     import: 'Open a parts list…',
     reset: 'All parts, no counts',
     owned: 'Owned',
