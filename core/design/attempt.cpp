@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "design/alikeness.h"
@@ -41,8 +42,10 @@ constexpr std::size_t kMostLooks = 4;      // at places alone
 constexpr double kRegion = 2.0;            // modules, where no node alone is at fault
 constexpr std::uint32_t kMoreSeeds = 3;    // where nothing else is known to help
 constexpr std::size_t kMostRunsForMore = 40;
+constexpr std::uint32_t kBetterSeeds = 3;     // where what was found is not what a builder builds
+constexpr double kWorkOfBetterSeeds = 1.5e9;  // of all searches before, in nanoseconds about
+constexpr double kWorkToCompare = 4e8;        // the same: nobody notices the other plans until then
 constexpr std::uint64_t kSeedStep = 0x9E3779B97F4A7C15U;  // far from the seeds that a person tries
-constexpr double kHalfBeam = 0.5;  // modules from a beam's middle line to its side
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
   mechanisms::CompositionOptions options;
@@ -77,28 +80,6 @@ bool fillsGaps(const Settings& settings) {
              settings.connectors.end();
 }
 
-//! What is tried, the first last: all wishes, then one symmetry after the other, then all but for
-//! what is loose, then to stand alone,
-//! then nothing.
-std::vector<Wishes> plansFor(Wishes all, std::size_t mirrors) {
-  std::vector<Wishes> plans{Wishes{}};
-  if (all.standing) {
-    plans.push_back(Wishes{true, false});
-  }
-  if (all.symmetric && mirrors > 0) {
-    plans.push_back(Wishes{all.standing, true, -1, true});
-  }
-  if (all.symmetric && mirrors > 1) {
-    for (auto i = static_cast<int>(mirrors) - 1; i >= 0; --i) {
-      plans.push_back(Wishes{all.standing, true, i});
-    }
-  }
-  if (all.symmetric && mirrors > 0) {
-    plans.push_back(all);
-  }
-  return plans;
-}
-
 //! Whether one search takes about all the work that there may be.
 bool isLarge(const layout::LayoutProblem& problem, const search::AnnealingOptions& options) {
   constexpr double kRounds = 2.5;
@@ -121,6 +102,7 @@ struct Attempts::Attempt {
   Wishes wishes;
   double value = 0.0;  // of its best layout, with what being symmetric is worth taken off
   bool alike = false;  // whether that layout is symmetric
+  int faults = 0;      // of how its model stands, where it is to stand
   int freedoms = 0;    // of that layout, also where the search ended before it asked
   layout::ConnectionSolver solver;
   layout::LayoutProblem problem;
@@ -141,30 +123,13 @@ bool isWhole(const search::LayoutSnapshot& layout) {
   return !layout.covers.empty() && layout.tallies.violations() + layout.missing == 0;
 }
 
-sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
-  sketch::Sketch wanted = sketch;
-  if (wishes.standing && !wanted.ground && !wanted.lines.empty()) {
-    double lowest = wanted.lines.front().from.z;
-    for (const sketch::Line& line : wanted.lines) {
-      lowest = std::min({lowest, line.from.z, line.to.z});
-    }
-    wanted.ground = lowest - kHalfBeam;
-  }
-  if (wishes.symmetric && wanted.symmetries.empty()) {
-    wanted.symmetries = wishedSymmetries(sketch);
-    if (wishes.only >= 0) {
-      wanted.symmetries = {wanted.symmetries[static_cast<std::size_t>(wishes.only)]};
-    }
-  }
-  return wanted;
-}
-
 Attempts::Attempts(const sketch::Sketch& sketch, const Settings& settings)
     : sketch_(&sketch), settings_(&settings), table_(makeTable(settings)) {
   if (settings.symmetric && settings.annealing.earlier.empty() && sketch.symmetries.empty()) {
     symmetries_ = wishedSymmetries(sketch);
   }
-  plans_ = plansFor({settings.standing, !symmetries_.empty()}, symmetries_.size());
+  plans_ =
+      plansFor({settings.standing && !liesFlat(sketch), !symmetries_.empty()}, symmetries_.size());
   const Wishes first = plans_.back();
   plans_.pop_back();
   begin(first, plans_.empty());
@@ -185,7 +150,9 @@ void Attempts::begin(Wishes wishes, bool last) {
     options = optionsAlone(*sketch_, std::move(options), kRoundsAlone);
   } else if (wishes.more > 0) {
     options.seed += (wishes.more - 1) * kSeedStep;
-    options.minIterations = std::min(options.minIterations, kShortRound);
+    if (best_ == nullptr) {
+      options.minIterations = std::min(options.minIterations, kShortRound);
+    }
   }
   options.held = makeHeld(attempt.problem, table_);
   if (objective::isRigid(settings_->preset)) {
@@ -277,6 +244,18 @@ void Attempts::planMoreSeeds() {
   }
 }
 
+//! A layout that does not stand as the drawing does, or moves though no joint says so, is compared
+//! with those of other seeds, while that takes no longer than a person waits.
+void Attempts::planBetterSeed() {
+  if (plans_.empty() && best_ != nullptr && (best_->faults > 0 || best_->freedoms > 0) &&
+      betterSeeds_ < kBetterSeeds && workBefore_ < kWorkOfBetterSeeds &&
+      settings_->annealing.earlier.empty()) {
+    plans_.push_back(best_->wishes);
+    plans_.back().standing = settings_->standing;
+    plans_.back().more = ++betterSeeds_;
+  }
+}
+
 //! What a layout that has ended is worth beside others. Its own energy has freedoms at what they
 //! cost in the round that found it.
 void Attempts::judge(Attempt* attempt) const {
@@ -290,6 +269,9 @@ void Attempts::judge(Attempt* attempt) const {
     attempt->freedoms =
         std::max(attempt->freedoms, attempt->mobility.count(layout.covers, layout.junctions));
   }
+  if (settings_->standing && !isPaperFamily(settings_->method) && isWhole(layout)) {
+    attempt->faults = countStandingFaults(attempt->problem, table_, *sketch_, layout);
+  }
   objective::Measures measures;
   measures.tallies = layout.tallies;
   measures.scale = objective::scaleOf(attempt->problem.graph);
@@ -300,11 +282,14 @@ void Attempts::judge(Attempt* attempt) const {
 //! Whether a layout need not be compared with others.
 bool Attempts::isGoodEnough(const Attempt& attempt) const {
   const search::LayoutSnapshot& layout = attempt.search->best();
-  if (!isWhole(layout)) {
+  if (!isWhole(layout) || attempt.faults > 0 || (!plans_.empty() && workBefore_ < kWorkToCompare)) {
     return false;
   }
-  if (symmetries_.empty() || attempt.problem.graph.runs.size() > kMostRunsToCompare) {
+  if (attempt.problem.graph.runs.size() > kMostRunsToCompare) {
     return true;
+  }
+  if (symmetries_.empty()) {
+    return attempt.freedoms == 0;
   }
   const int bound = search::coverLowerBound(coversInUse(attempt.problem, *settings_));
   return attempt.freedoms == 0 && (attempt.alike || attempt.wishes.mostly) &&
@@ -331,9 +316,13 @@ void Attempts::goOn() {
   }
   iterationsBefore_ += current_->search->iterations();
   improvementsBefore_ += best_ == nullptr ? current_->search->improvements() : 0;
+  if (best_ != nullptr && current_->wishes.more > 0 && current_->faults >= best_->faults &&
+      current_->freedoms >= best_->freedoms) {
+    betterSeeds_ = kBetterSeeds;  // it is the drawing that makes it so, not the seed
+  }
   // One freedom fewer is no reason to be lopsided where something moves all the same.
   const auto rank = [](const Attempt& attempt) {
-    return std::pair(attempt.freedoms > 0, attempt.value);
+    return std::tuple(attempt.faults > 0, attempt.freedoms > 0, attempt.value);
   };
   if (isWhole(current_->search->best()) && (best_ == nullptr || rank(*current_) < rank(*best_))) {
     improvementsBefore_ += best_ == nullptr ? 0 : 1;
@@ -343,6 +332,7 @@ void Attempts::goOn() {
   const double work = static_cast<double>(iterationsBefore_) *
                       static_cast<double>(problem().graph.junctions.size());
   planMoreSeeds();
+  planBetterSeed();
   done_ = plans_.empty() || crowded_.has_value() || workLeft() <= 0.0 ||
           (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork));
   if (done_) {
@@ -354,11 +344,15 @@ void Attempts::goOn() {
   begin(next, plans_.empty());
 }
 
-//! What stands is not compared with what need not.
+//! What stands is not compared with what need not; where nothing is loose, nothing is to be freed.
 void Attempts::dropNeedlessPlans() {
+  const bool tight = best_->wishes.symmetric && best_->freedoms == 0;
   plans_.erase(std::remove_if(plans_.begin(),
                               plans_.end(),
-                              [&](Wishes plan) { return plan.standing < best_->wishes.standing; }),
+                              [&](Wishes plan) {
+                                return plan.standing < best_->wishes.standing ||
+                                       (tight && plan.mostly);
+                              }),
                plans_.end());
 }
 

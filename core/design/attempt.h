@@ -8,6 +8,7 @@
 
 #include "design/crowded_place.h"
 #include "design/settings.h"
+#include "design/wishes.h"
 #include "layout/keeps.h"
 #include "layout/layout.h"
 #include "mechanisms/mechanism_table.h"
@@ -15,21 +16,6 @@
 #include "sketch/sketch.h"
 
 namespace liftarm::design {
-
-//! \brief What a search wishes for that the sketch does not ask: tried first, given up where no
-//! whole layout was found with it.
-struct Wishes {
-  bool standing = false;   //!< nothing below the lowest drawn plane (DESIGN 5b.2)
-  bool symmetric = false;  //!< the drawing's own symmetries are kept (design/alikeness.h)
-  int only = -1;           //!< the one of these that is kept; negative: all
-  bool mostly = false;     //!< what stays loose as it is need not be symmetric
-  std::uint32_t more = 0;  //!< not 0: of the searches beyond the plans, in short rounds
-  bool again = false;      //!< of these: the one that found a layout when it looked at all lines
-};
-
-//! \brief The sketch with what is wished for written into it: its ground half a module below its
-//! lowest end point, and the mirrors that it has. What it says itself stays.
-sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes);
 
 //! \brief What a search for a sketch under these settings works on.
 layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings);
@@ -96,6 +82,7 @@ class Attempts {
   void findCrowdedPlace();
   void lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest);
   void planMoreSeeds();
+  void planBetterSeed();
   [[nodiscard]] double workLeft() const;
   void judge(Attempt* attempt) const;
   [[nodiscard]] const Attempt& shown() const;
@@ -113,6 +100,7 @@ class Attempts {
   std::optional<layout::KeepFault> blamed_;
   std::vector<std::pair<double, lattice::Vec3>> looked_;  // radius and place of every look
   std::uint32_t moreSeeds_ = 0;                           // searches beyond the plans
+  std::uint32_t betterSeeds_ = 0;                         // where the best one is not well built
   bool wholeAlone_ = false;                               // a look found a layout of all lines
   std::uint64_t iterationsBefore_ = 0;
   double workBefore_ = 0.0;  // of searches that ended

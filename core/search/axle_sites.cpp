@@ -83,9 +83,16 @@ class FamilyFinder {
     return layout::alongAxisOf(graph_.runs[at(run)]).axis;
   }
 
+  //! An axle with a bare end is not what a builder puts where a beam is drawn.
+  [[nodiscard]] bool isHeldAtBothEnds(const guide::GuideRun& run) const {
+    return !run.junctionIndices.empty() && run.junctionIndices.front() == 0 &&
+           run.junctionIndices.back() == run.edgeCount();
+  }
+
   //! Arms of bent beams stay as they lie.
   [[nodiscard]] bool isOpen(int run) const {
-    if (layout::hasArms(layout_.run(run).cover) || layout_.run(run).cover.axle.used()) {
+    if (!isHeldAtBothEnds(graph_.runs[at(run)]) || layout::hasArms(layout_.run(run).cover) ||
+        layout_.run(run).cover.axle.used()) {
       return false;
     }
     const std::vector<int> met = runsMet(graph_, run);

@@ -9,6 +9,7 @@
 #include "core/helpers/sketches.h"
 #include "design/alikeness.h"
 #include "design/design_session.h"
+#include "design/looseness.h"
 #include "design/model_builder.h"
 #include "model/model_json.h"
 #include "objective/mobility.h"
@@ -78,6 +79,37 @@ TEST(Wishes, LeaveTheGroundThatThePersonNamed) {
   sketch::Sketch sketch = testing::cubeSketch(6);
   sketch.ground = -3.0;
   EXPECT_DOUBLE_EQ(*withWishes(sketch, {.standing = true}).ground, -3.0);
+}
+
+TEST(Wishes, AskNothingOfWhatLiesFlat) {
+  EXPECT_TRUE(liesFlat(testing::sketchFrom({{{0, 0, 2}, {8, 0, 2}}, {{0, 0, 2}, {0, 6, 2}}})));
+  EXPECT_FALSE(liesFlat(testing::sketchFrom({{{0, 0, 2}, {8, 0, 2}}, {{0, 0, 2}, {0, 0, 8}}})));
+}
+
+//! A rectangle of 12 by 9 on the table with both diagonals: one of them passes under the frame, the
+//! other over it, which no layout above the drawn plane can do.
+TEST(AttemptsOn, AFlatDrawingUseBothSidesOfItsPlane) {
+  const sketch::Sketch sketch = testing::sketchFrom({{{0, 0, 0}, {12, 0, 0}},
+                                                     {{0, 9, 0}, {12, 9, 0}},
+                                                     {{0, 0, 0}, {0, 9, 0}},
+                                                     {{12, 0, 0}, {12, 9, 0}},
+                                                     {{0, 0, 0}, {12, 9, 0}},
+                                                     {{0, 9, 0}, {12, 0, 0}}});
+  const Settings settings = settingsFrom(R"({"seed": 1})");
+  Attempts attempts(sketch, settings);
+  while (!attempts.advance(1000)) {
+  }
+  int lowest = 0;
+  int highest = 0;
+  for (const layout::Cover& cover : attempts.search().best().covers) {
+    for (const layout::Beam& beam : cover.beams) {
+      lowest = std::min(lowest, beam.layer);
+      highest = std::max(highest, beam.layer);
+    }
+  }
+  EXPECT_TRUE(isWhole(attempts.search().best()));
+  EXPECT_LT(lowest, 0);
+  EXPECT_GT(highest, 0);
 }
 
 TEST(Wishes, FindTheMirrorsAcrossXAndYAlone) {
@@ -221,6 +253,38 @@ TEST(Attempts, NeverGoBackInWhatTheyTellOfTheirProgress) {
     improvements = attempts.improvements();
   }
   EXPECT_EQ(fraction, 1.0);
+}
+
+TEST(StandingFaults, AreWhatTheModelWingSaysOfTheModel) {
+  const sketch::Sketch sketch = testing::cubeSketch(6);
+  const Settings settings = settingsFrom(R"({"seed": 1, "preset": "simple"})");
+  int most = 0;
+  for (const bool standing : {false, true}) {
+    Attempts attempts(withWishes(sketch, {.standing = standing}), settings);
+    while (!attempts.advance(1000)) {
+    }
+    const model::Model model = buildModel(attempts.problem(),
+                                          attempts.table(),
+                                          attempts.search().best(),
+                                          "test",
+                                          sketch::writeSketch(sketch));
+    const base::Result<std::string> report = checkModelJson(model::writeModel(model));
+    ASSERT_TRUE(report.ok());
+    const json parsed = json::parse(report.value());
+    double faults = 0.0;
+    for (const json& item : parsed["wellBuilt"]["items"]) {
+      if (item["id"] == "stands") {
+        const json& figures = item["figures"];
+        faults = figures["belowBase"].get<double>() + figures["liftedFeet"].get<double>() +
+                 figures["fallsOver"].get<double>();
+      }
+    }
+    const int counted =
+        countStandingFaults(attempts.problem(), attempts.table(), sketch, attempts.search().best());
+    EXPECT_EQ(counted, static_cast<int>(faults));
+    most = std::max(most, counted);
+  }
+  EXPECT_GT(most, 0) << "a search that need not stand leaves something to be counted";
 }
 
 }  // namespace
