@@ -8,6 +8,7 @@
 #include "analysis/connection_check.h"
 #include "analysis/coverage.h"
 #include "analysis/disassembly.h"
+#include "analysis/drive_check.h"
 #include "analysis/interpenetration.h"
 #include "analysis/real_parts.h"
 #include "analysis/scene.h"
@@ -67,6 +68,15 @@ bool fulfils(const ItemResult& item) {
   return item.problems.empty();
 }
 
+//! Item 7 of DESIGN 5: joints, and what gears couple.
+ItemResult checkTurning(const Scene& scene, const MotionReport& motion) {
+  ItemResult result = checkJoints(scene, motion);
+  const ItemResult drives = checkDrives(scene, motion.trains);
+  result.problems.insert(result.problems.end(), drives.problems.begin(), drives.problems.end());
+  result.detail += drives.detail.empty() ? "" : "; " + drives.detail;
+  return result;
+}
+
 //! Items 1 to 6 of DESIGN 5.
 bool holdsTogether(const Scene& scene, const std::vector<EdgeCover>& coverage) {
   return fulfils(checkRealParts(scene)) && fulfils(checkConnections(scene)) &&
@@ -80,7 +90,7 @@ bool isBuildable(const model::Model& model, const parts::Catalogue& catalogue) {
   const Scene scene = makeScene(model, catalogue);
   const std::vector<EdgeCover> coverage = findCoverage(scene);
   const bool joints = scene.sketch.has_value() && !scene.sketch->joints.empty();
-  return holdsTogether(scene, coverage) &&
+  return holdsTogether(scene, coverage) && fulfils(checkDrives(scene, findGearTrains(scene))) &&
          (!joints || fulfils(checkJoints(scene, analyseFreedoms(scene, coverage))));
 }
 
@@ -109,7 +119,7 @@ CheckReport checkModel(const model::Model& model, const parts::Catalogue& catalo
   report.assemblable = disassembly.problems.empty();
   add(report, "disassembly", "It can be taken apart, so it can be put together", disassembly);
   report.motion = analyseMotion(scene, coverage);
-  add(report, "joints", "Every joint turns", checkJoints(scene, report.motion));
+  add(report, "joints", "Every joint turns", checkTurning(scene, report.motion));
   report.buildable = report.problems.empty();
   report.wellBuilt = judgeWellBuilt({scene, coverage, report.motion});
 

@@ -28,6 +28,7 @@ MotionReport analyseFreedoms(const Scene& scene, const std::vector<EdgeCover>& c
   for (int joint = 0; joint < mover.joints(); ++joint) {
     report.joints.push_back(mover.turnJoint(joint).range);
   }
+  report.trains = findGearTrains(scene);
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "analysis/findings.h"
 #include "analysis/freedoms.h"
 #include "analysis/freedoms_braces.h"
+#include "analysis/gear_trains.h"
 #include "analysis/joint_motion.h"
 #include "analysis/scene.h"
 
@@ -18,6 +19,7 @@ struct MotionReport {
   Freedoms free;                   //!< every pin turns
   Freedoms held;                   //!< pins with friction hold
   std::vector<JointRange> joints;  //!< one for each two bodies that share an annotated joint
+  GearTrains trains;               //!< what gears couple
   std::optional<Balance> balance;
   std::vector<Brace> braces;  //!< against the free motions that no joint accounts for
 };

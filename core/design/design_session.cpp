@@ -14,10 +14,13 @@
 #include "design/paint.h"
 #include "design/report.h"
 #include "design/settings.h"
+#include "design/shaft_parts.h"
+#include "gears/shaft_plan.h"
 #include "layout/axle.h"
 #include "layout/stack.h"
 #include "model/model_json.h"
 #include "sketch/keep_json.h"
+#include "sketch/shaft_json.h"
 #include "sketch/sketch_json.h"
 #include "sketch/sketch_notes.h"
 
@@ -27,14 +30,21 @@ namespace {
 
 using nlohmann::json;
 
+//! What a search is made from.
+struct Order {
+  sketch::Reading reading;
+  sketch::SketchColours colours;
+  sketch::Shafts shafts;
+  gears::ShaftPlan plan;  //!< of the shafts: its sketch is what is searched
+  Settings settings;
+};
+
 class Session final : public DesignSession {
  public:
-  Session(sketch::Reading reading, sketch::SketchColours colours, Settings settings)
-      : notes_(sketch::notesOn(reading)),
-        sketch_(std::move(reading.sketch)),
-        colours_(std::move(colours)),
-        settings_(std::move(settings)),
-        attempts_(sketch_, settings_),
+  explicit Session(Order order)
+      : notes_(sketch::notesOn(order.reading)),
+        order_(std::move(order)),
+        attempts_(order_.plan.sketch, order_.settings),
         table_(attempts_.table()) {}
 
   bool advance(std::uint32_t iterations) override { return attempts_.advance(iterations); }
@@ -67,10 +77,10 @@ class Session final : public DesignSession {
 
   [[nodiscard]] std::string reportJson() const override {
     return makeReport({attempts_.problem(),
-                       settings_,
+                       order_.settings,
                        table_,
                        attempts_.search(),
-                       sketch_,
+                       sketch(),
                        notes_,
                        attempts_.crowded(),
                        attempts_.blamed(),
@@ -80,22 +90,30 @@ class Session final : public DesignSession {
   //! \return Why no search is worth its time; nothing where one is.
   [[nodiscard]] std::optional<std::string> refusal() const {
     int longest = 0;
-    for (const int axle : settings_.annealing.axles) {
+    for (const int axle : order_.settings.annealing.axles) {
       longest = std::max(longest, layout::axleParts()[static_cast<std::size_t>(axle)].length);
     }
-    const bool laysAxles = settings_.method != kPaperMethod && settings_.annealing.parts.axles;
-    return findJointRefusal(sketch_, attempts_.problem().graph, laysAxles ? longest : 0);
+    const bool laysAxles =
+        order_.settings.method != kPaperMethod && order_.settings.annealing.parts.axles;
+    return findJointRefusal(sketch(), attempts_.problem().graph, laysAxles ? longest : 0);
   }
 
  private:
+  //! As it was drawn.
+  [[nodiscard]] const sketch::Sketch& sketch() const { return order_.reading.sketch; }
+
   [[nodiscard]] model::Model model() const {
-    const std::string sketchText = sketch::writeSketch(sketch_, colours_, settings_.keeps);
+    const std::string sketchText =
+        sketch::writeSketch(sketch(), order_.colours, order_.settings.keeps, order_.shafts);
     if (attempts_.search().best().covers.empty()) {
-      return {sketch_.name, {}, sketchText};  // asked before the first step
+      return {sketch().name, {}, sketchText};  // asked before the first step
     }
     model::Model built = buildModel(
-        attempts_.problem(), table_, attempts_.search().best(), sketch_.name, sketchText);
-    paint(colours_, built);
+        attempts_.problem(), table_, attempts_.search().best(), sketch().name, sketchText);
+    for (model::PlacedPart& part : shaftParts(order_.plan)) {
+      built.parts.push_back(std::move(part));
+    }
+    paint(order_.colours, built);
     return built;
   }
 
@@ -112,7 +130,7 @@ class Session final : public DesignSession {
   [[nodiscard]] json measureTerms() const {
     const objective::Measures measures =
         measuresOf(attempts_.problem(), table_, attempts_.search().best());
-    const objective::Weights& weights = settings_.annealing.weights;
+    const objective::Weights& weights = order_.settings.annealing.weights;
     json terms = json::object();
     for (std::size_t i = 0; i < weights.size(); ++i) {
       if (weights[i] != 0.0) {
@@ -124,9 +142,7 @@ class Session final : public DesignSession {
   }
 
   std::vector<sketch::Note> notes_;
-  sketch::Sketch sketch_;
-  sketch::SketchColours colours_;
-  Settings settings_;
+  Order order_;
   Attempts attempts_;
   const mechanisms::MechanismTable& table_;
   mutable std::optional<json> terms_;  // of the best layout ...
@@ -152,8 +168,21 @@ base::Result<std::unique_ptr<DesignSession>> DesignSession::create(std::string_v
                        "keep: method " + wanted.method +
                            " knows no parts that are to stay; use the default method"};
   }
-  auto session = std::make_unique<Session>(
-      std::move(sketch).value(), sketch::coloursOf(sketchJson), std::move(wanted));
+  sketch::Shafts shafts = sketch::shaftsOf(sketchJson);
+  if (isPaperFamily(wanted.method) && !shafts.empty()) {
+    return base::Error{
+        base::Status::kInvalidInput,
+        "shafts: method " + wanted.method + " knows no shafts; use the default method"};
+  }
+  base::Result<gears::ShaftPlan> plan = gears::planShafts(sketch.value().sketch, shafts);
+  if (!plan.ok()) {
+    return plan.error();
+  }
+  auto session = std::make_unique<Session>(Order{std::move(sketch).value(),
+                                                 sketch::coloursOf(sketchJson),
+                                                 std::move(shafts),
+                                                 std::move(plan).value(),
+                                                 std::move(wanted)});
   if (std::optional<std::string> refusal = session->refusal()) {
     return base::Error{base::Status::kInvalidInput, *std::move(refusal)};
   }

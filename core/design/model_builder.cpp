@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "design/crossed_part.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
 #include "layout/stack.h"
@@ -200,12 +201,8 @@ class Builder {
   void addCrossed(
       const std::string& id, Vec3 end, Vec3 direction, Vec3 wing, Vec3 centre, int piece) {
     const parts::Part& part = catalogued(id);
-    const parts::Feature& feature = part.features.front();
-    const Vec3 own = *feature.wing;
-    const Mat3 turned =
-        lattice::fromColumns(direction, wing, lattice::cross(direction, wing)) *
-        lattice::transposed(lattice::fromColumns(end, own, lattice::cross(end, own)));
-    parts_.push_back({id, part.color, {centre - turned * feature.center, turned}, -1, 0, piece});
+    const lattice::Pose pose = crossedPose(part.features.front(), end, {centre, direction, wing});
+    parts_.push_back({id, part.color, pose, -1, 0, piece});
   }
 
   //! A pin through two holes: the one at `lower`, and the next along the axis.

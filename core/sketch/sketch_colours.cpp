@@ -8,6 +8,7 @@
 
 #include "sketch/json_text.h"
 #include "sketch/keep_json.h"
+#include "sketch/shaft_json.h"
 #include "sketch/sketch_json.h"
 
 namespace liftarm::sketch {
@@ -235,9 +236,12 @@ SketchColours coloursOf(std::string_view text) {
   return colours;
 }
 
-std::string writeSketch(const Sketch& sketch, const SketchColours& colours, const Keeps& keeps) {
+std::string writeSketch(const Sketch& sketch,
+                        const SketchColours& colours,
+                        const Keeps& keeps,
+                        const Shafts& shafts) {
   std::string text = writeSketch(sketch);
-  if (colours.empty() && keeps.empty()) {
+  if (colours.empty() && keeps.empty() && shafts.empty()) {
     return text;
   }
   // Both versions differ in their number and in what may follow.
@@ -247,6 +251,7 @@ std::string writeSketch(const Sketch& sketch, const SketchColours& colours, cons
     text.replace(place, number.size(), "\"version\": 2");
   }
   text.resize(text.rfind("\n}"));
+  text += shaftsText(shafts);
   text += keepsText(keeps);
   text += colours.empty() ? "" : ",\n  \"colours\": " + coloursText(colours);
   return text + "\n}\n";

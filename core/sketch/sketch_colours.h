@@ -11,6 +11,7 @@
 #include "base/status.h"
 #include "sketch/json_fields.h"
 #include "sketch/keep.h"
+#include "sketch/shaft.h"
 #include "sketch/sketch.h"
 
 namespace liftarm::sketch {
@@ -59,9 +60,11 @@ bool readColours(const nlohmann::json& document,
 //! \brief The colours of a sketch's text. \pre readSketch accepts it.
 SketchColours coloursOf(std::string_view text);
 
-//! \brief writeSketch() with colours and what is to stay; of version 1 where neither needs more.
+//! \brief writeSketch() with colours, what is to stay and what turns; of version 1 where none of
+//! them needs more.
 std::string writeSketch(const Sketch& sketch,
                         const SketchColours& colours,
-                        const Keeps& keeps = {});
+                        const Keeps& keeps = {},
+                        const Shafts& shafts = {});
 
 }  // namespace liftarm::sketch

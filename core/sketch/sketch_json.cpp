@@ -9,6 +9,7 @@
 #include "sketch/json_fields.h"
 #include "sketch/json_text.h"
 #include "sketch/keep_json.h"
+#include "sketch/shaft_json.h"
 #include "sketch/sketch_checks.h"
 #include "sketch/sketch_colours.h"
 #include "sketch/snap.h"
@@ -21,7 +22,8 @@ using nlohmann::json;
 
 constexpr std::string_view kFormat = "technic-sketch";
 constexpr double kVersion = 1;
-constexpr double kLatestVersion = 2;  // adds colours, what joints must do and what is to stay
+// Adds colours, what joints must do, what turns and what is to stay.
+constexpr double kLatestVersion = 2;
 
 //! Reads the members of a document into a sketch, in the order in which a person would.
 class SketchReader {
@@ -30,7 +32,7 @@ class SketchReader {
 
   base::Result<Reading> read() {
     if (!readHead() || !readLines() || !readAnnotations(document_, fields_, sketch_) ||
-        !checkKeeps() || !checkColours()) {
+        !checkKeeps() || !checkShafts() || !checkColours()) {
       return fields_.error();
     }
     std::vector<Line> drawn = sketch_.lines;
@@ -80,6 +82,8 @@ class SketchReader {
                                     "symmetries",
                                     "keepOut",
                                     "ground",
+                                    "shafts",
+                                    "drives",
                                     "keep",
                                     "colours"})
                   : fields_.object(document_,
@@ -104,6 +108,12 @@ class SketchReader {
   bool checkKeeps() {
     Keeps keeps;
     return readKeeps(document_, fields_, sketch_, keeps);
+  }
+
+  //! Whoever lays gears reads again what turns (shaft_json.h).
+  bool checkShafts() {
+    Shafts shafts;
+    return readShafts(document_, fields_, shafts);
   }
 
   bool readName() {

@@ -98,6 +98,34 @@ const SKETCH = {
   },
 };
 
+/** Shafts that stand in two beams; where they cannot turn is said after all else is read. */
+const TURNING = {
+  format: 'technic-sketch',
+  version: 2,
+  lines: [
+    { from: [0, 0, 0], to: [8, 0, 0] },
+    { from: [0, 3, 0], to: [8, 3, 0] },
+    { from: [0, 0, 0], to: [0, 3, 0] },
+  ],
+  shafts: [
+    { from: [2, -1, 0], to: [2, 4, 0] },
+    { from: [5, -1, 0], to: [5, 4, 0] },
+  ],
+  drives: [{ from: 0, to: 1, ratio: 5, tolerance: 2 }],
+};
+
+/** What no shaft can do. */
+const STUCK: readonly Record<string, unknown>[] = [
+  { shafts: [{ from: [0, -1, 0], to: [0, 4, 0] }] },
+  { shafts: [{ from: [2, -1, 0], to: [2, 2, 0] }] },
+  { shafts: [{ from: [2, 0, -1], to: [2, 0, 4] }] },
+  { shafts: [TURNING.shafts[0], TURNING.shafts[0]], drives: [] },
+  { drives: [...TURNING.drives, ...TURNING.drives] },
+  { drives: [{ from: 0, to: 1, ratio: 4.5 }] },
+  { lines: [...TURNING.lines, { from: [2, -1, 1], to: [2, -1, 6] }], drives: [] },
+  { lines: [...TURNING.lines, { from: [1.5, 1, 0], to: [4.5, 1, 0] }], drives: [] },
+];
+
 const TEXTS = [
   '',
   '{',
@@ -129,7 +157,13 @@ describe('the German of the core', () => {
 
   it('covers what is said against a sketch', () => {
     const said = new Set<string>();
-    for (const text of [...TEXTS, ...mutations(structuredClone(SKETCH))]) {
+    const texts = [
+      ...TEXTS,
+      ...mutations(structuredClone(SKETCH)),
+      ...mutations(structuredClone(TURNING)),
+      ...STUCK.map((change) => JSON.stringify({ ...TURNING, ...change })),
+    ];
+    for (const text of texts) {
       const message = refusal(text);
       if (message !== null) {
         said.add(message);

@@ -70,6 +70,22 @@ const STATE_5 = {
   } satisfies SketchDocument,
 };
 
+/** And what version 6 added. */
+const STATE_6 = {
+  ...STATE_5,
+  sketch: {
+    ...STATE_5.sketch,
+    shafts: [
+      { from: [1, -1, 0], to: [1, 5, 0] },
+      { from: [4, -1, 0], to: [4, 5, 0] },
+    ],
+    drives: [
+      { from: 0, to: 1, ratio: 5 },
+      { from: 1, to: 0, ratio: 0.2, tolerance: 1 },
+    ],
+  } satisfies SketchDocument,
+};
+
 async function fragment(): Promise<string> {
   const encoded = await encodeShare(STATE);
   return encoded.ok ? encoded.value : '';
@@ -115,6 +131,26 @@ describe('share link', () => {
     const path = new URL('./fixtures/v5-seesaw.txt', import.meta.url);
     const read = await decodeShare(readFileSync(path, 'utf8').trim());
     expect(read).toEqual({ ok: true, value: STATE_5 });
+  });
+
+  it('holds shafts and what couples them', async () => {
+    const encoded = await encodeShare(STATE_6);
+    expect(encoded.ok && encoded.value.startsWith('s6.')).toBe(true);
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read).toEqual({ ok: true, value: STATE_6 });
+  });
+
+  it('reads the links of version 6 for ever', async () => {
+    const path = new URL('./fixtures/v6-seesaw.txt', import.meta.url);
+    const read = await decodeShare(readFileSync(path, 'utf8').trim());
+    expect(read).toEqual({ ok: true, value: STATE_6 });
+  });
+
+  it('is refused where a drive couples what is no shaft', async () => {
+    const drives = [{ from: 0, to: 7, ratio: 5 }];
+    const encoded = await encodeShare({ ...STATE_6, sketch: { ...STATE_6.sketch, drives } });
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read?.ok).toBe(false);
   });
 
   it('holds settings and symmetries of both kinds', async () => {

@@ -1,5 +1,6 @@
 import { type AxisName, distance, lerp, subtract, type Vec3 } from '../geometry/vec.ts';
 import type { Keep } from './keep.ts';
+import type { Drive, Shaft } from './shafts.ts';
 import type { SketchColours } from './sketch-colours.ts';
 
 /** One straight line of whole length, as the sketch format (DESIGN 3) writes it. */
@@ -44,7 +45,7 @@ export interface KeepOutBox {
   readonly max: Vec3;
 }
 
-/** A sketch file; version 2 where it says something of colours, of what joints must do or of what is to stay. */
+/** A sketch file; version 2 where it says something of colours, of what joints must do, of what turns or is to stay. */
 export interface SketchDocument {
   readonly format: 'technic-sketch';
   readonly version: 1 | 2;
@@ -55,14 +56,20 @@ export interface SketchDocument {
   readonly keepOut?: readonly KeepOutBox[];
   /** No part may lie below this z. */
   readonly ground?: number;
+  readonly shafts?: readonly Shaft[];
+  /** Which of the shafts gears couple. */
+  readonly drives?: readonly Drive[];
   /** What is to stay of the model, by line. */
   readonly keep?: readonly Keep[];
   readonly colours?: SketchColours;
 }
 
 /** The oldest version of the format that has all of a sketch. */
-export function versionOf(sketch: Pick<SketchDocument, 'joints' | 'colours' | 'keep'>): 1 | 2 {
-  return sketch.colours || sketch.keep || sketch.joints?.some((joint) => joint.range) ? 2 : 1;
+export function versionOf(
+  sketch: Pick<SketchDocument, 'joints' | 'colours' | 'keep' | 'shafts'>,
+): 1 | 2 {
+  const { colours, keep, shafts, joints } = sketch;
+  return colours || keep || shafts || joints?.some((joint) => joint.range) ? 2 : 1;
 }
 
 /** Whether a value from outside is a range that a joint can be asked for. */

@@ -11,6 +11,7 @@ import { coloursFault, type SketchColours, tidyColours } from '../model/sketch-c
 import { decodeKeep } from './keep-codec.ts';
 import { checksum, deflate, fromBase64Url, inflate, toBase64Url } from './packing.ts';
 import { decodeRanges, encodeRanges } from './range-codec.ts';
+import { decodeShafts, encodeShafts } from './shafts-codec.ts';
 
 /** What a link carries: the sketch and everything that the result depends on. */
 export interface SharedState {
@@ -53,11 +54,15 @@ const VERSIONS: Readonly<Record<string, Version>> = {
   '3': { encode: encodeV3, decode: decodeV3 },
   '4': { encode: encodeV4, decode: decodeV4 },
   '5': { encode: encodeV5, decode: decodeV5 },
+  '6': { encode: encodeV6, decode: decodeV6 },
 };
 
 /** The oldest version that holds all of a state: its link is the shortest, and older pages read it. */
 function versionFor(state: SharedState): string {
-  const { colours, joints, keep } = state.sketch;
+  const { colours, joints, keep, shafts } = state.sketch;
+  if (shafts) {
+    return '6';
+  }
   if (keep || colours?.parts) {
     return '5';
   }
@@ -227,6 +232,21 @@ function decodeV5(value: unknown): SharedState | null {
   }
   const state = decodeV4(value.slice(0, 11));
   const sketch = state && decodeKeep(state.sketch, value[11]);
+  return state && sketch ? { ...state, sketch } : null;
+}
+
+// Version 6: version 5 with what turns behind it.
+
+function encodeV6(state: SharedState): unknown {
+  return [...(encodeV5(state) as unknown[]), encodeShafts(state.sketch)];
+}
+
+function decodeV6(value: unknown): SharedState | null {
+  if (!Array.isArray(value) || value.length !== 13) {
+    return null;
+  }
+  const state = decodeV5(value.slice(0, 12));
+  const sketch = state && decodeShafts(state.sketch, value[12]);
   return state && sketch ? { ...state, sketch } : null;
 }
 

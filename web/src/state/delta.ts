@@ -1,4 +1,5 @@
 import type { Keep } from '../model/keep.ts';
+import type { Drive, Shaft } from '../model/shafts.ts';
 import {
   type KeepOutBox,
   type SketchDocument,
@@ -30,13 +31,15 @@ export interface SketchDelta {
   readonly joints?: Splice<SketchJoint>;
   readonly symmetries?: Splice<SketchSymmetry>;
   readonly keepOut?: Splice<KeepOutBox>;
+  readonly shafts?: Splice<Shaft>;
+  readonly drives?: Splice<Drive>;
   readonly name?: Change<string>;
   readonly ground?: Change<number>;
   readonly colours?: Change<SketchColours>;
   readonly keep?: Change<readonly Keep[]>;
 }
 
-const LISTS = ['lines', 'joints', 'symmetries', 'keepOut'] as const;
+const LISTS = ['lines', 'joints', 'symmetries', 'keepOut', 'shafts', 'drives'] as const;
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
@@ -66,6 +69,8 @@ export function diffSketch(before: SketchDocument, after: SketchDocument): Sketc
     joints: diffList(before.joints ?? [], after.joints ?? []),
     symmetries: diffList(before.symmetries ?? [], after.symmetries ?? []),
     keepOut: diffList(before.keepOut ?? [], after.keepOut ?? []),
+    shafts: diffList(before.shafts ?? [], after.shafts ?? []),
+    drives: diffList(before.drives ?? [], after.drives ?? []),
     name: diffValue(before.name, after.name),
     ground: diffValue(before.ground, after.ground),
     colours: diffValue(before.colours, after.colours),
@@ -87,6 +92,8 @@ export function invertDelta(delta: SketchDelta): SketchDelta {
   if (delta.joints) inverse.joints = invertSplice(delta.joints);
   if (delta.symmetries) inverse.symmetries = invertSplice(delta.symmetries);
   if (delta.keepOut) inverse.keepOut = invertSplice(delta.keepOut);
+  if (delta.shafts) inverse.shafts = invertSplice(delta.shafts);
+  if (delta.drives) inverse.drives = invertSplice(delta.drives);
   if (delta.name) inverse.name = { before: delta.name.after, after: delta.name.before };
   if (delta.ground) inverse.ground = { before: delta.ground.after, after: delta.ground.before };
   if (delta.colours) inverse.colours = { before: delta.colours.after, after: delta.colours.before };
@@ -110,15 +117,17 @@ export function applyDelta(sketch: SketchDocument, delta: SketchDelta): SketchDo
     delta.symmetries && applySplice(sketch.symmetries ?? [], delta.symmetries),
   );
   setList(next, 'keepOut', delta.keepOut && applySplice(sketch.keepOut ?? [], delta.keepOut));
+  setList(next, 'shafts', delta.shafts && applySplice(sketch.shafts ?? [], delta.shafts));
+  setList(next, 'drives', delta.drives && applySplice(sketch.drives ?? [], delta.drives));
   setValue(next, 'name', delta.name);
   setValue(next, 'ground', delta.ground);
   const kept = delta.keep ? setKeep(next, delta.keep.after ?? []) : next;
   return withColours(ofVersion(kept, delta), delta.colours);
 }
 
-/** Ranges of joints are of version 2. */
-function ofVersion(sketch: SketchDocument, { joints }: SketchDelta): SketchDocument {
-  return joints ? { ...sketch, version: versionOf(sketch) } : sketch;
+/** Ranges of joints are of version 2, and so are shafts. */
+function ofVersion(sketch: SketchDocument, { joints, shafts }: SketchDelta): SketchDocument {
+  return joints || shafts ? { ...sketch, version: versionOf(sketch) } : sketch;
 }
 
 function setValue<K extends 'name' | 'ground'>(
@@ -182,7 +191,7 @@ function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-type ListKey = 'joints' | 'symmetries' | 'keepOut';
+type ListKey = 'joints' | 'symmetries' | 'keepOut' | 'shafts' | 'drives';
 
 function setList<K extends ListKey>(
   sketch: Mutable<SketchDocument>,

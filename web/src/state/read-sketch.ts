@@ -1,6 +1,7 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import { type Keep, keepFault } from '../model/keep.ts';
+import { type Drive, type Shaft, shaftsFault } from '../model/shafts.ts';
 import {
   isRange,
   type KeepOutBox,
@@ -95,9 +96,15 @@ function readDocument(json: unknown): SketchDocument {
   const keepOut = optional('keepOut').map((value, i) => readBox(value, `keepOut[${i}]`));
   const colours = readColours(root, lines.length);
   const keep = readKeep(root, lines);
+  const turning = readShafts(root);
   return {
     format: 'technic-sketch',
-    version: versionOf({ joints, ...(colours ? { colours } : {}), ...(keep ? { keep } : {}) }),
+    version: versionOf({
+      joints,
+      ...turning,
+      ...(colours ? { colours } : {}),
+      ...(keep ? { keep } : {}),
+    }),
     ...(typeof root['name'] === 'string' ? { name: root['name'].slice(0, MAX_NAME) } : {}),
     lines,
     ...(joints.length > 0 ? { joints } : {}),
@@ -106,8 +113,33 @@ function readDocument(json: unknown): SketchDocument {
     ...(root['ground'] === undefined || root['ground'] === null
       ? {}
       : { ground: coordinate(root['ground'], 'ground') }),
+    ...turning,
     ...(keep ? { keep } : {}),
     ...(colours ? { colours } : {}),
+  };
+}
+
+/** In version 1 nothing turns. */
+function readShafts(root: Record<string, unknown>): Pick<SketchDocument, 'shafts' | 'drives'> {
+  const { shafts, drives } = root;
+  if (root['version'] === 1) {
+    return {};
+  }
+  const fault = shaftsFault(shafts, drives);
+  if (fault !== null) {
+    throw new Refusal(fault);
+  }
+  // Other keys are not taken along: strict-sketch.ts refuses them in files.
+  const axles = ((shafts ?? []) as readonly Shaft[]).map(({ from, to }) => ({ from, to }));
+  const couplings = ((drives ?? []) as readonly Drive[]).map(({ from, to, ratio, tolerance }) => ({
+    from,
+    to,
+    ratio,
+    ...(tolerance === undefined ? {} : { tolerance }),
+  }));
+  return {
+    ...(axles.length > 0 ? { shafts: axles } : {}),
+    ...(couplings.length > 0 ? { drives: couplings } : {}),
   };
 }
 

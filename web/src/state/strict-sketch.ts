@@ -17,6 +17,8 @@ const MEMBERS = {
   lines: ['from', 'to', 'exact', 'holeAxis'],
   joints: ['at', 'axis', 'between', 'kind', 'range'],
   keepOut: ['min', 'max'],
+  shafts: ['from', 'to'],
+  drives: ['from', 'to', 'ratio', 'tolerance'],
 } as const;
 /** Keys that only version 2 has. */
 const LATEST: ReadonlySet<string> = new Set(['kind', 'range']);
@@ -30,7 +32,7 @@ type Fields = Readonly<Record<string, unknown>>;
 /** The first thing that is wrong with a file whose sketch could be read, or null. */
 export function strictFault(json: unknown, sketch: SketchDocument): string | null {
   const root = json as Fields;
-  const keys = root['version'] === 2 ? [...ROOT, 'keep', 'colours'] : ROOT;
+  const keys = root['version'] === 2 ? [...ROOT, 'shafts', 'drives', 'keep', 'colours'] : ROOT;
   return (
     unknownKey(root, keys) ??
     nameFault(root['name']) ??
@@ -93,7 +95,7 @@ function keysOf(
 }
 
 function membersFault(root: Fields): string | null {
-  for (const key of ['lines', 'joints', 'symmetries', 'keepOut'] as const) {
+  for (const key of ['lines', 'joints', 'symmetries', 'keepOut', 'shafts', 'drives'] as const) {
     for (const [i, value] of ((root[key] ?? []) as readonly Fields[]).entries()) {
       const fault = unknownKey(value, keysOf(key, value, root['version']));
       if (fault !== null) {

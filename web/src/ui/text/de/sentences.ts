@@ -3,6 +3,7 @@ import { BUILT_DE } from './sentences-built.ts';
 import { CHECKED_DE } from './sentences-checked.ts';
 import { KEEP_DE, KEEP_PHRASES_DE } from './sentences-keep.ts';
 import { READ_DE } from './sentences-read.ts';
+import { SHAFTS_DE, SHAFTS_PHRASES_DE } from './sentences-shafts.ts';
 
 const FILES: Sentences = [
   [
@@ -154,6 +155,7 @@ export const PHRASES_DE: Sentences = [
   ['layers', 'Lagen'],
   ['nodes', 'Knoten'],
   ...KEEP_PHRASES_DE,
+  ...SHAFTS_PHRASES_DE,
 ];
 
 /**
@@ -162,6 +164,7 @@ export const PHRASES_DE: Sentences = [
  */
 export const SENTENCES_DE: Sentences = [
   ...KEEP_DE,
+  ...SHAFTS_DE,
   ...READ_DE,
   ...CHECKED_DE,
   ...BUILT_DE,

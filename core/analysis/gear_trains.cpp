@@ -1,0 +1,226 @@
+#include "analysis/gear_trains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+#include "analysis/union_find.h"
+#include "base/det_math.h"
+#include "parts/gear_teeth.h"
+
+namespace liftarm::analysis {
+
+namespace {
+
+using lattice::Vec3;
+
+constexpr double kTeethPerModule = 16.0;
+constexpr double kAddendum = 0.125;   // of teeth beyond the pitch circle
+constexpr double kSamePlane = 0.5;    // modules along the shafts that gears in mesh are apart
+constexpr double kParallel = 0.9998;  // cosine
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+//! A gear as it stands.
+struct Wheel {
+  int part = -1;
+  int shaft = -1;
+  int teeth = 0;
+  Vec3 middle;
+  Vec3 axis;
+
+  [[nodiscard]] double pitch() const { return static_cast<double>(teeth) / kTeethPerModule; }
+};
+
+class TrainsFinder {
+ public:
+  explicit TrainsFinder(const Scene& scene)
+      : scene_(scene), rigid_(scene.parts.size()), shaftOf_(scene.parts.size(), -1) {}
+
+  GearTrains find() {
+    findShafts();
+    findMeshes();
+    spreadSpeeds();
+    return std::move(trains_);
+  }
+
+ private:
+  void findShafts() {
+    for (const model::Connection& c : scene_.connections) {
+      if (c.fit == model::Fit::kRigid) {
+        rigid_.join(c.male, c.female);
+      }
+    }
+    std::map<int, int> shaftOfGroup;
+    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+      if (teethOf(static_cast<int>(i)) > 0) {
+        shaftOfGroup.emplace(rigid_.find(static_cast<int>(i)), 0);
+      }
+    }
+    int count = 0;
+    for (auto& [group, shaft] : shaftOfGroup) {
+      shaft = count++;
+    }
+    trains_.shafts.resize(at(count));
+    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+      const auto found = shaftOfGroup.find(rigid_.find(static_cast<int>(i)));
+      if (found != shaftOfGroup.end()) {
+        shaftOf_[i] = found->second;
+        trains_.shafts[at(found->second)].parts.push_back(static_cast<int>(i));
+      }
+    }
+    for (std::size_t s = 0; s < trains_.shafts.size(); ++s) {
+      measure(static_cast<int>(s));
+    }
+  }
+
+  [[nodiscard]] int teethOf(int part) const {
+    const parts::Part* known = scene_.parts[at(part)].part;
+    return known == nullptr ? 0 : parts::teethOf(*known);
+  }
+
+  [[nodiscard]] Wheel wheelOf(int part) const {
+    // The solid of a gear is one disc: its middle and axis are the gear's.
+    const parts::Prism& disc = scene_.parts[at(part)].part->solid.front();
+    const lattice::Pose& pose = scene_.model->parts[at(part)].pose;
+    return {part,
+            shaftOf_[at(part)],
+            teethOf(part),
+            pose.apply(disc.from),
+            lattice::normalized(pose.rotation * disc.axis)};
+  }
+
+  //! Axis, bearings and what keeps the shaft.
+  void measure(int index) {
+    GearShaft& shaft = trains_.shafts[at(index)];
+    const auto gear = std::find_if(
+        shaft.parts.begin(), shaft.parts.end(), [&](int part) { return teethOf(part) > 0; });
+    const Wheel wheel = wheelOf(*gear);
+    shaft.at = wheel.middle;
+    shaft.axis = wheel.axis;
+    // Speeds of two shafts compare where their axes point the same way.
+    const double sign = shaft.axis.x + shaft.axis.y + shaft.axis.z;
+    shaft.axis = sign < 0.0 ? -shaft.axis : shaft.axis;
+    shaft.turns = true;
+    for (const model::Connection& c : scene_.connections) {
+      const bool male = shaftOf_[at(c.male)] == index;
+      if (male == (shaftOf_[at(c.female)] == index) || !model::isGood(c.fit)) {
+        continue;
+      }
+      const Vec3 off = c.at - shaft.at;
+      const bool onAxis =
+          lattice::length(lattice::cross(off, shaft.axis)) < model::kCoaxialDistance;
+      shaft.turns = shaft.turns && onAxis && male;
+      shaft.bearings += onAxis ? 1 : 0;
+      shaft.held = shaft.held || (onAxis && c.fit == model::Fit::kTurn);
+    }
+  }
+
+  void findMeshes() {
+    std::vector<Wheel> wheels;
+    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+      if (teethOf(static_cast<int>(i)) > 0) {
+        wheels.push_back(wheelOf(static_cast<int>(i)));
+      }
+    }
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+      for (std::size_t j = i + 1; j < wheels.size(); ++j) {
+        if (wheels[i].shaft != wheels[j].shaft) {
+          compare(wheels[i], wheels[j]);
+        }
+      }
+    }
+  }
+
+  void compare(const Wheel& p, const Wheel& q) {
+    if (std::abs(lattice::dot(p.axis, q.axis)) < kParallel) {
+      return;
+    }
+    const Vec3 off = q.middle - p.middle;
+    const double along = lattice::dot(off, p.axis);
+    const double beyond = lattice::length(off - along * p.axis) - p.pitch() - q.pitch();
+    if (std::abs(along) >= kSamePlane || beyond >= 2.0 * kAddendum) {
+      return;
+    }
+    if (std::abs(beyond) > kPitchTolerance) {
+      trains_.clashes.emplace_back(p.part, q.part);
+      return;
+    }
+    const double way =
+        lattice::dot(trains_.shafts[at(p.shaft)].axis, trains_.shafts[at(q.shaft)].axis) < 0.0
+            ? 1.0
+            : -1.0;
+    trains_.meshes.push_back({p.part,
+                              q.part,
+                              p.shaft,
+                              q.shaft,
+                              way * static_cast<double>(p.teeth) / static_cast<double>(q.teeth)});
+  }
+
+  void spreadSpeeds() {
+    std::vector<bool> known(trains_.shafts.size(), false);
+    for (std::size_t root = 0; root < trains_.shafts.size(); ++root) {
+      if (known[root]) {
+        continue;
+      }
+      known[root] = true;
+      trains_.shafts[root].train = trains_.trains++;
+      for (bool changed = true; changed;) {
+        changed = false;
+        for (const GearMesh& mesh : trains_.meshes) {
+          changed = spread(mesh, known) || changed;
+        }
+      }
+    }
+    for (std::size_t m = 0; m < trains_.meshes.size(); ++m) {
+      const GearMesh& mesh = trains_.meshes[m];
+      const double asked = trains_.shafts[at(mesh.shaftA)].speed * mesh.ratio;
+      if (std::abs(trains_.shafts[at(mesh.shaftB)].speed - asked) > 1e-9 * std::abs(asked)) {
+        trains_.binding.push_back(static_cast<int>(m));
+      }
+    }
+  }
+
+  bool spread(const GearMesh& mesh, std::vector<bool>& known) {
+    if (known[at(mesh.shaftA)] == known[at(mesh.shaftB)]) {
+      return false;
+    }
+    const bool forward = known[at(mesh.shaftA)];
+    const GearShaft& from = trains_.shafts[at(forward ? mesh.shaftA : mesh.shaftB)];
+    const int index = forward ? mesh.shaftB : mesh.shaftA;
+    GearShaft& to = trains_.shafts[at(index)];
+    to.speed = from.speed * (forward ? mesh.ratio : 1.0 / mesh.ratio);
+    to.train = from.train;
+    known[at(index)] = true;
+    return true;
+  }
+
+  const Scene& scene_;
+  UnionFind rigid_;
+  std::vector<int> shaftOf_;  // per part
+  GearTrains trains_;
+};
+
+}  // namespace
+
+GearTrains findGearTrains(const Scene& scene) {
+  return TrainsFinder(scene).find();
+}
+
+lattice::Pose turned(const GearShaft& shaft, double angle) {
+  const double c = base::detCos(angle);
+  const double s = base::detSin(angle);
+  const Vec3 a = shaft.axis;
+  const auto image = [&](Vec3 p) {
+    return c * p + s * lattice::cross(a, p) + ((1.0 - c) * lattice::dot(a, p)) * a;
+  };
+  const lattice::Mat3 rotation =
+      lattice::fromColumns(image({1, 0, 0}), image({0, 1, 0}), image({0, 0, 1}));
+  return {shaft.at - rotation * shaft.at, rotation};
+}
+
+}  // namespace liftarm::analysis
