@@ -25,7 +25,8 @@ function sameJoints(a, b) {
   });
 }
 
-function compareChecked(solved, checked) {
+/** @throws {Error} where `solve` and `check` do not say the same of one model. */
+export function compareChecked(solved, checked) {
   if (solved.buildable && !checked.buildable) {
     throw new Error(`solve says buildable, check not: ${JSON.stringify(checked.problems)}`);
   }

@@ -40,14 +40,19 @@ function answerOf({ code, signal, out, err }, what) {
 /** @param {string} folder for files of one case at a time. */
 export function commandDoor(command, folder) {
   const file = (name) => join(folder, name);
+  let refusal = '';
   return {
     async solve(sketch, settings) {
       writeFileSync(file('case.sketch.json'), JSON.stringify(sketch));
       const args = ['solve', file('case.sketch.json'), '-o', folder, '--json'];
-      const report = answerOf(await run(command, [...args, ...argumentsOf(settings)]), 'solve');
+      const ended = await run(command, [...args, ...argumentsOf(settings)]);
+      refusal = ended.err.trim();
+      const report = answerOf(ended, 'solve');
       const text = (ending) => readFileSync(file(`case.${ending}`), 'utf8');
       return report && { report, modelText: text('model.json'), mpd: text('mpd') };
     },
+    /** What the last sketch was refused with. */
+    lastRefusal: () => refusal,
     async check(modelText, what) {
       writeFileSync(file('checked.json'), modelText);
       const args = ['check', file('checked.json'), '--json'];
