@@ -65,7 +65,9 @@ async function tryAll(door) {
     try {
       const { ends, seconds } = await work();
       counts[ends] = (counts[ends] ?? 0) + 1;
-      console.log(`${name}: ${ends}${seconds === undefined ? '' : `, ${seconds.toFixed(1)} s of one core`}`);
+      console.log(
+        `${name}: ${ends}${seconds === undefined ? '' : `, ${seconds.toFixed(1)} s of one core`}`,
+      );
     } catch (error) {
       failed.push(name);
       console.error(`${name}: ${error.message}`);
