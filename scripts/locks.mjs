@@ -2,6 +2,7 @@
 // seed, as a link does, and once more as the page does when a person forbids a beam: whether every lock is kept, whether
 // the models are buildable, and how long it takes.
 import { parseArgs } from 'node:util';
+import { dice } from './lib/dice.mjs';
 import { loadCore } from './lib/load-core.mjs';
 import { randomSketch } from './lib/random-sketches.mjs';
 import { exitWith, StepError } from './lib/run.mjs';
@@ -12,17 +13,6 @@ const USAGE = `npm run locks -- [options]
   --count N    sketches (default 30)
   --first N    number of the first one (default 1); a number is always the same sketch
   --seed N     of the search and of what is locked (default 1)`;
-
-/** A small generator: the same numbers on every machine (mulberry32). */
-function dice(seed) {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let t = Math.imul(state ^ (state >>> 15), state | 1);
-    t ^= t + Math.imul(t ^ (t >>> 7), t | 61);
-    return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
-  };
-}
 
 function textOf({ status, text }) {
   if (status !== 'ok') {

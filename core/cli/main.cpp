@@ -160,6 +160,9 @@ CLI::App* addTrain(CLI::App& app, liftarm::cli::TrainOptions& options) {
       ->check(CLI::Range(1.0 / kMostRatio, kMostRatio));
   train->add_option("--tolerance", options.tolerance, "Per cent that the ratio may be off (3)")
       ->check(CLI::Range(0.0, 50.0));
+  train
+      ->add_option("-o,--output", options.folder, "Folder for a sketch with a frame; none: no file")
+      ->type_name("DIR");
   train->add_flag("--json", options.json, "Print the answer as one JSON object");
   return train;
 }

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/files.h"
+#include "gears/gear_frame.h"
 #include "gears/gear_sizes.h"
 #include "gears/train.h"
 #include "model/number_text.h"
@@ -70,6 +72,15 @@ ExitCode trainCommand(const TrainOptions& options) {
     return print("no gears couple them within the tolerance\n")
                ? ExitCode::kNotBuildable
                : fail("the answer cannot be written to standard output");
+  }
+  if (!options.folder.empty()) {
+    const base::Result<std::string> folder = makeFolder(options.folder);
+    const std::string path = options.folder + "/Gear-train.sketch.json";
+    const auto written = folder.ok() ? writeFiles({{path, gears::gearFrame(*train, request)}})
+                                     : base::Result<std::size_t>(folder.error());
+    if (!written.ok()) {
+      return fail(written.error().message);
+    }
   }
   const ordered_json answer = trainJson(*train, sizes);
   return print(options.json ? answer.dump() + "\n" : trainText(answer))
