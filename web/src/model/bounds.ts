@@ -66,11 +66,12 @@ export function modelBounds(model: Model, catalogue: Catalogue): Bounds | null {
   return boundsOfPoints(modelCorners(model, catalogue));
 }
 
-/** Line ends of a sketch and corners of its keep-out boxes: what a picture of it is fitted to. */
+/** Ends of lines and shafts of a sketch, and corners of its keep-out boxes: what a picture of it is fitted to. */
 export function sketchPoints(sketch: SketchDocument | null): readonly Vec3[] {
   return [
     ...(sketch?.lines ?? []).flatMap((line) => [line.from, line.to]),
     ...(sketch?.keepOut ?? []).flatMap((box) => [box.min, box.max]),
+    ...(sketch?.shafts ?? []).flatMap((shaft) => [shaft.from, shaft.to]),
   ];
 }
 

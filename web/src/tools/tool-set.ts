@@ -5,6 +5,7 @@ import { LineTool } from './line-tool.ts';
 import { MeasureTool } from './measure-tool.ts';
 import { SplitTool } from './node-tools.ts';
 import { SelectTool } from './select-tool.ts';
+import { ShaftTool } from './shaft-tool.ts';
 import type { Tool, ToolContext, ToolId } from './tool.ts';
 
 /** One of each tool. */
@@ -19,6 +20,7 @@ export function createTools(context: ToolContext): ReadonlyMap<ToolId, Tool> {
     new SplitTool(context),
     new JointTool(context),
     new KeepOutTool(context),
+    new ShaftTool(context),
     new ArrayTool(context),
     new MeasureTool(context),
   ];

@@ -12,6 +12,7 @@ export interface ToolWords {
     readonly gridNext: string;
     readonly hexagonNext: string;
     readonly keepOutNext: string;
+    readonly shaftNext: string;
     readonly keepOutHeight: string;
     readonly arrayNext: string;
     readonly arrayNone: string;
@@ -21,6 +22,7 @@ export interface ToolWords {
   readonly draw: {
     readonly cursorAt: string;
     readonly lineDrawn: string;
+    readonly shaftDrawn: string;
     readonly noWholeLength: string;
     readonly measured: string;
     readonly follow: string;
@@ -40,6 +42,7 @@ export interface ToolWords {
     readonly split: string;
     readonly joint: string;
     readonly keepOut: string;
+    readonly shaft: string;
     readonly array: string;
   };
 }

@@ -107,6 +107,7 @@ export type ToolId =
   | 'split'
   | 'joint'
   | 'keepOut'
+  | 'shaft'
   | 'array'
   | 'measure';
 

@@ -1,6 +1,7 @@
 import { useRef } from 'preact/hooks';
 import type { PlaneMode } from '../tools/tool.ts';
 import { CommandButton, Segmented } from './controls.tsx';
+import { DriveField } from './drive-field.tsx';
 import { useOverflowCue } from './overflow-cue.ts';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
@@ -44,6 +45,7 @@ export function ToolOptions() {
       <div class="tool-options floating">
         <PlaneChoice />
         <SizeField />
+        {tool.id === 'shaft' && <DriveField />}
       </div>
     );
   }

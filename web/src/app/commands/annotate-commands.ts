@@ -2,6 +2,7 @@ import type { AxisName } from '../../geometry/vec.ts';
 import { sketchBounds } from '../../model/bounds.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
 import { setExact, setGround, setHoleAxis } from '../../state/edits.ts';
+import { clearShafts } from '../../state/shaft-edits.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -58,7 +59,8 @@ function lineCommands(actions: Actions): Command[] {
 
 function spaceCommands(actions: Actions): Command[] {
   const { store } = actions.state;
-  const has = (key: 'keepOut' | 'joints') => () => (store.sketch.value[key]?.length ?? 0) > 0;
+  const has = (key: 'keepOut' | 'joints' | 'shafts') => () =>
+    (store.sketch.value[key]?.length ?? 0) > 0;
   const row = { group: 'annotate', icon: 'keepOut' } as const;
   return [
     {
@@ -96,6 +98,14 @@ function spaceCommands(actions: Actions): Command[] {
       icon: 'joint',
       when: has('joints'),
       run: () => actions.edit(text.edits.joint, without(store.sketch.value, 'joints')),
+    },
+    {
+      ...row,
+      id: 'clearShafts',
+      label: text.commands.clearShafts,
+      icon: 'shaft',
+      when: has('shafts'),
+      run: () => actions.edit(text.edits.shaft, clearShafts(store.sketch.value)),
     },
   ];
 }

@@ -15,6 +15,7 @@ const TOOLS: readonly (readonly [ToolId, IconName, string, Command['group']])[] 
   ['split', 'split', 'S', 'draw'],
   ['joint', 'joint', 'J', 'annotate'],
   ['keepOut', 'keepOut', 'K', 'annotate'],
+  ['shaft', 'shaft', 'Shift+G', 'annotate'],
   ['array', 'array', 'Shift+A', 'edit'],
   ['measure', 'measure', 'D', 'view'],
 ];

@@ -19,18 +19,21 @@ import {
 import type { Vec3 } from '../../geometry/vec.ts';
 import { type Bounds, sketchBounds } from '../../model/bounds.ts';
 import type { FoundSymmetry, RotationSymmetry } from '../../model/found-symmetries.ts';
+import type { Drive, Shaft } from '../../model/shafts.ts';
 import type { KeepOutBox, SketchDocument, SketchJoint, SketchLine } from '../../model/sketch.ts';
 import type { ViewTheme } from '../scene/theme.ts';
 import type { SketchMarks } from '../view-types.ts';
 
 /** Modules. */
 const JOINT = { radius: 0.55, tube: 0.07, axisLength: 2.2, axisRadius: 0.05 } as const;
+const SHAFT_RADIUS = 0.16;
+const DRIVE_RADIUS = 0.06;
 const SYMMETRY_MARGIN = 2;
 const SHIFT_HEAD = 0.8;
 const UP = new Vector3(0, 0, 1);
 const Y = new Vector3(0, 1, 0);
 
-/** Joints, keep-out boxes and symmetries of a sketch. Few, so each is its own object. */
+/** Joints, keep-out boxes, shafts and symmetries of a sketch. Few, so each is its own object. */
 export class SketchGlyphs {
   readonly group = new Group();
   readonly #owned: (BufferGeometry | Material)[] = [];
@@ -55,6 +58,7 @@ export class SketchGlyphs {
     for (const box of sketch.keepOut ?? []) {
       this.#addKeepOut(box, theme.keepOut);
     }
+    this.#addShafts(sketch.shafts ?? [], sketch.drives ?? [], theme.joint);
     const bounds = sketchBounds(sketch);
     if (!bounds) {
       return;
@@ -95,6 +99,38 @@ export class SketchGlyphs {
       mesh.renderOrder = 13;
       this.group.add(mesh);
     }
+  }
+
+  /** A rod for each shaft from the first of its slots to the last, a thin one between the middles of coupled shafts. */
+  #addShafts(shafts: readonly Shaft[], drives: readonly Drive[], colour: number): void {
+    const material = this.#own(new MeshBasicMaterial({ color: colour }));
+    const ends = shafts.map(({ from, to }) => [new Vector3(...from), new Vector3(...to)] as const);
+    for (const [from, to] of ends) {
+      this.#addRod(from, to, { radius: SHAFT_RADIUS, beyond: 0.5 }, material);
+    }
+    const middles = ends.map(([from, to]) => from.clone().add(to).multiplyScalar(0.5));
+    for (const drive of drives) {
+      const [from, to] = [middles[drive.from], middles[drive.to]];
+      if (from && to) {
+        this.#addRod(from, to, { radius: DRIVE_RADIUS, beyond: 0 }, material);
+      }
+    }
+  }
+
+  /** From point to point and a bit beyond. */
+  #addRod(
+    from: Vector3,
+    to: Vector3,
+    { radius, beyond }: { readonly radius: number; readonly beyond: number },
+    material: Material,
+  ): void {
+    const way = to.clone().sub(from);
+    const geometry = this.#own(new CylinderGeometry(radius, radius, way.length() + 2 * beyond, 12));
+    const rod = new Mesh(geometry, material);
+    rod.quaternion.setFromUnitVectors(Y, way.normalize());
+    rod.position.copy(from).add(to).multiplyScalar(0.5);
+    rod.renderOrder = 13;
+    this.group.add(rod);
   }
 
   /** Cells by their centres: the box reaches half a module further than its corners. */

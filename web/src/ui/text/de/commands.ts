@@ -45,6 +45,7 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     groundHere: 'Boden unter der Skizze',
     groundNone: 'Kein Boden',
     clearKeepOut: 'Alle Sperrräume entfernen',
+    clearShafts: 'Alle Wellen und Zahnräder entfernen',
     clearJoints: 'Alle Gelenke entfernen',
     generate: 'Modell erzeugen',
     cancel: 'Abbrechen',

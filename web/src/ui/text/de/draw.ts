@@ -12,6 +12,7 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     split: 'Linie teilen',
     joint: 'Gelenk',
     keepOut: 'Sperrraum',
+    shaft: 'Welle mit Zahnrädern',
     array: 'Kopien in einer Reihe',
     measure: 'Messen',
   },
@@ -50,6 +51,10 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     keepOut: 'Klicken Sie eine Ecke des Raums an, der frei bleiben muss.',
     keepOutNext: 'Klicken Sie die Ecke seiner Grundfläche gegenüber an.',
     keepOutHeight: 'Klicken Sie seine Höhe an, oder tippen Sie sie.',
+    shaft:
+      'Klicken Sie ein Ende einer Welle an. Wo sie Linien an Knoten kreuzt, dreht sie sich in deren Löchern.',
+    shaftNext:
+      'Klicken Sie ihr anderes Ende an: parallel zu x, y oder z, über mindestens zwei Linien.',
     array:
       'Klicken Sie einen Punkt der Auswahl an; von dort gehen die Kopien aus. Tippen Sie, wie viele ({n}).',
     arrayNext: 'Klicken Sie an, wo die erste von {n} Kopien liegt, oder tippen Sie, wie viele.',
@@ -71,6 +76,10 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     sixty: '60°',
   },
   draw: {
+    shaftDrawn:
+      'Welle {count}, {n} Module lang. Sind es zwei, geben Sie ein Verhältnis ein und koppeln sie durch Zahnräder.',
+    ratio: 'Verhältnis',
+    couple: 'Die letzten beiden koppeln',
     follow: 'Linien, die mitgehen: {n}',
     becomes: {
       one: '{n}: Balken {holes}',
@@ -148,6 +157,8 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
     holeAxis: 'Lochachse',
     joint: 'Gelenk',
     keepOut: 'Sperrraum',
+    shaft: 'Welle',
+    drive: 'Zahnräder zwischen Wellen',
     array: 'Kopien in einer Reihe',
     ground: 'Boden',
     rename: 'Umbenennen',

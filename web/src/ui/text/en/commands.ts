@@ -44,6 +44,7 @@ export const COMMANDS_EN = {
     groundHere: 'Ground below the sketch',
     groundNone: 'No ground',
     clearKeepOut: 'Remove all keep-out boxes',
+    clearShafts: 'Remove all shafts and gears',
     clearJoints: 'Remove all joints',
     generate: 'Generate the model',
     cancel: 'Cancel',
