@@ -57,6 +57,14 @@ ordered_json runsJson(const guide::GuidingGraph& graph) {
   return runs;
 }
 
+int modulesOf(const sketch::Sketch& sketch) {
+  int modules = 0;
+  for (const sketch::Line& line : sketch.lines) {
+    modules += line.length;
+  }
+  return modules;
+}
+
 }  // namespace
 
 base::Result<std::string> placementsJson(std::string_view sketchJson,
@@ -68,6 +76,12 @@ base::Result<std::string> placementsJson(std::string_view sketchJson,
   const base::Result<Settings> settings = readSettings(settingsJson);
   if (!settings.ok()) {
     return settings.error();
+  }
+  if (const int modules = modulesOf(sketch.value()); modules > kMostPlacedModules) {
+    return base::Error{base::Status::kInvalidInput,
+                       "the lines are " + std::to_string(modules) +
+                           " modules long; what may be laid is listed for at most " +
+                           std::to_string(kMostPlacedModules)};
   }
   const layout::LayoutProblem problem = layout::makeLayoutProblem(
       guide::buildGuidingGraph(sketch.value(), bridgingOf(settings.value())));

@@ -7,6 +7,10 @@
 
 namespace liftarm::design {
 
+//! Modules of all lines of a sketch whose placements are listed: a list of more would fill the
+//! memory, and no programme proves anything of it.
+inline constexpr int kMostPlacedModules = 10000;
+
 //! \brief Every part in every place that the search could lay for a sketch, without layers: what a
 //! programme needs that proves how few beams there can be (docs/lower-bound.md).
 //! \param settingsJson As for DesignSession::create; what may be laid depends on `set`.

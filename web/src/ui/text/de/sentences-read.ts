@@ -138,6 +138,10 @@ const SKETCH: Sentences = [
     'Linien können sich bei {point} nicht um zwei Achsen drehen, diese und die von {other}, denn kein Teil hat dort Pinlöcher für beide; erwartet werden Gelenke an zwei Knoten',
   ],
   [
+    'the lines are {n} modules long; what may be laid is listed for at most {most}',
+    'die Linien sind {n} Module lang; was gelegt werden kann, wird für höchstens {most} aufgelistet',
+  ],
+  [
     '{axis} is not along x, y or z, and holes are; expected one of these',
     '{axis} verläuft nicht entlang x, y oder z wie die Löcher; erwartet wird eines davon',
   ],
