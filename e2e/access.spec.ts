@@ -208,3 +208,41 @@ test('the page speaks German to those who ask for it', async ({ page }) => {
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', { name: 'Undo' })).toBeVisible();
 });
+
+/** A rail with an arm that turns. */
+const ARM = {
+  format: 'technic-sketch',
+  version: 1,
+  name: 'Arm',
+  lines: [
+    { from: [0, 0, 0], to: [10, 0, 0] },
+    { from: [0, 0, 0], to: [0, 6, 0] },
+  ],
+  joints: [{ at: [0, 0, 0], axis: [0, 0, 1] }],
+};
+
+test('axe finds nothing beside a selected line with its length, nor in the card of numbers', async ({
+  page,
+}) => {
+  await openEmpty(page);
+  await openText(page, JSON.stringify(ARM));
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Arm');
+  await page.locator('.scene canvas').focus();
+  await page.keyboard.press('.');
+  await page.keyboard.press('Shift+O');
+  await expect(page.getByRole('textbox', { name: 'Length of line 1' })).toBeVisible();
+  await expect(page.getByRole('region', { name: 'By numbers' })).toBeVisible();
+  await expectAccessible(page, 'a line and the card of numbers');
+});
+
+test('axe finds nothing where a joint is turned, plotted and filmed', async ({ page }) => {
+  await openEmpty(page);
+  await openText(page, JSON.stringify(ARM));
+  await page.getByRole('button', { name: /^Generate/ }).click();
+  await expect(page.getByTestId('verdict')).toBeVisible({ timeout: 60_000 });
+  await goTo(page, 'Move');
+  await expect(page.getByRole('img', { name: /^Angles over time/ })).toBeVisible({
+    timeout: 60_000,
+  });
+  await expectAccessible(page, 'a joint that is turned');
+});

@@ -114,3 +114,16 @@ test.describe('a phone', () => {
     await expect(rail).toHaveAttribute('data-more', 'start');
   });
 });
+
+for (const width of [1280, 1190, 1000, 830]) {
+  test(`the places leave room for what stands beside them, ${width} wide, in German`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await openPage(page, '/?lang=de');
+    const last = await page.getByRole('link', { name: 'Lernen', exact: true }).boundingBox();
+    const undo = await page.getByRole('button', { name: /^Rückgängig/ }).boundingBox();
+    expect((last?.x ?? 0) + (last?.width ?? 0)).toBeLessThanOrEqual(undo?.x ?? 0);
+    expect((undo?.x ?? 0) + (undo?.width ?? 0)).toBeLessThanOrEqual(width);
+  });
+}

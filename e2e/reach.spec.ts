@@ -30,6 +30,7 @@ const NOT_CHANGING = [
   'undo',
   'redo',
   'copy',
+  'offset',
   'selectAll',
   'selectConnected',
   'selectNext',
