@@ -335,8 +335,7 @@ class Planner {
       }
     }
     for (std::size_t d = 0; sets.empty() && d < graphs_.blocking.directions().size(); ++d) {
-      for (const int part : state.parts()) {
-        std::vector<int> set = state.closure(static_cast<int>(d), part);
+      for (std::vector<int>& set : state.closures(static_cast<int>(d))) {
         if (set.size() < state.parts().size()) {
           offer(std::move(set));
         }

@@ -291,15 +291,40 @@ std::vector<int> DisassemblyState::closure(int direction, int part) const {
       }
     }
   }
-  std::sort(found.begin(), found.end());
+  // All of a dense model may be found: to go through it once is quicker than to sort.
+  found.clear();
+  std::copy_if(parts_.begin(), parts_.end(), std::back_inserter(found), [&](int other) {
+    return inside[at(other)] != 0;
+  });
   return found;
+}
+
+std::vector<std::vector<int>> DisassemblyState::closures(int direction) const {
+  StrongSets search(graph_, direction, active_);
+  std::vector<int> strongSet(active_.size(), -1);
+  int count = 0;
+  for (const std::vector<int>& set : search.find(parts_)) {
+    for (const int part : set) {
+      strongSet[at(part)] = count;
+    }
+    ++count;
+  }
+  std::vector<char> known(at(count), 0);
+  std::vector<std::vector<int>> result;
+  for (const int part : parts_) {
+    char& isKnown = known[at(strongSet[at(part)])];
+    if (isKnown == 0) {
+      isKnown = 1;
+      result.push_back(closure(direction, part));
+    }
+  }
+  return result;
 }
 
 std::vector<std::vector<int>> DisassemblyState::setsThatDivideNothing() const {
   std::vector<std::vector<int>> sets;
   for (std::size_t d = 0; d < graph_.directions().size(); ++d) {
-    for (const int part : parts_) {
-      std::vector<int> set = closure(static_cast<int>(d), part);
+    for (std::vector<int>& set : closures(static_cast<int>(d))) {
       if (set.size() < parts_.size() && connected(set) && connected(others(set))) {
         sets.push_back(std::move(set));
       }

@@ -52,8 +52,9 @@ class DisassemblyState {
   //! single parts and the whole. Each ascending.
   [[nodiscard]] std::vector<std::vector<int>> lockedSets(int direction) const;
 
-  //! \brief All that must leave with a part, itself included: ascending.
-  [[nodiscard]] std::vector<int> closure(int direction, int part) const;
+  //! \brief All that must leave with one part or another, that part included: each set once,
+  //! ascending, in order of the first part that it was found for.
+  [[nodiscard]] std::vector<std::vector<int>> closures(int direction) const;
 
   //! \brief Connected sets of parts that leave together in some direction, and whose leaving does
   //! not divide the rest: the smallest first.
@@ -66,6 +67,7 @@ class DisassemblyState {
 
  private:
   [[nodiscard]] std::vector<std::vector<int>> componentsOf(const std::vector<char>& inside) const;
+  [[nodiscard]] std::vector<int> closure(int direction, int part) const;
 
   const BlockingGraph& graph_;
   const std::vector<std::vector<int>>& neighbours_;

@@ -34,7 +34,8 @@ constexpr std::uint32_t kFreeingRounds = 9;
 // Moves times junctions of all searches, after which nothing is compared with what is whole.
 constexpr double kMostWork = 4e6;
 constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
-constexpr double kUsualLines = 300.0;            // of a sketch; larger ones may take longer
+constexpr double kUsualLines = 300.0;            // of a sketch; larger ones may take longer ...
+constexpr double kUsualLength = 3000.0;          // ... and longer ones: modules
 constexpr double kShareOfOneWish = 0.5;    // of the work that is left, before a wish is given up
 constexpr std::size_t kFewestCrowded = 3;  // lines: two can be joined, or their angle is at fault
 constexpr std::size_t kMostCrowded = 16;   // lines that are looked at alone
@@ -166,6 +167,9 @@ void Attempts::begin(Wishes wishes, bool last) {
   // Where another search would take too long, this one gives up in itself what keeps it loose.
   const bool alone = wishes.symmetric && isLarge(attempt.problem, options);
   options.stiffening.frees = alone || wishes.mostly;
+  if (alone) {
+    std::erase_if(plans_, [](Wishes plan) { return plan.mostly || plan.only >= 0; });
+  }
   if (wishes.symmetric && !alone) {
     options.stiffening.rounds =
         std::min(options.stiffening.rounds, wishes.mostly ? kFreeingRounds : kSymmetricRounds);
@@ -179,8 +183,13 @@ void Attempts::begin(Wishes wishes, bool last) {
 }
 
 double Attempts::workLeft() const {
-  const double lines = std::max(1.0, static_cast<double>(sketch_->lines.size()) / kUsualLines);
-  return std::max(0.0, lines * settings_->annealing.mostWork - workBefore_);
+  double length = 0.0;
+  for (const sketch::Line& line : sketch_->lines) {
+    length += line.length;
+  }
+  const double share = std::max(
+      {1.0, static_cast<double>(sketch_->lines.size()) / kUsualLines, length / kUsualLength});
+  return std::max(0.0, share * settings_->annealing.mostWork - workBefore_);
 }
 
 void Attempts::lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest) {
@@ -346,14 +355,10 @@ void Attempts::goOn() {
 
 //! What stands is not compared with what need not; where nothing is loose, nothing is to be freed.
 void Attempts::dropNeedlessPlans() {
-  const bool tight = best_->wishes.symmetric && best_->freedoms == 0;
-  plans_.erase(std::remove_if(plans_.begin(),
-                              plans_.end(),
-                              [&](Wishes plan) {
-                                return plan.standing < best_->wishes.standing ||
-                                       (tight && plan.mostly);
-                              }),
-               plans_.end());
+  std::erase_if(plans_, [&](Wishes plan) { return plan.standing < best_->wishes.standing; });
+  if (best_->wishes.symmetric && best_->freedoms == 0) {
+    std::erase_if(plans_, [](Wishes plan) { return plan.mostly; });
+  }
 }
 
 bool Attempts::done() const {

@@ -1,12 +1,17 @@
 #include "analysis/disassembly.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "analysis/disassembly_state.h"
+#include "base/rng.h"
 #include "core/helpers/models.h"
 
 namespace liftarm::analysis {
@@ -205,6 +210,52 @@ TEST(Disassembly, AnEmptyModelComesApart) {
   const DisassemblyPlan plan = planOf(model::Model{});
   ASSERT_EQ(plan.groups.size(), 1U);
   EXPECT_TRUE(plan.groups.front().removals.empty());
+}
+
+//! All that a part waits for, found part by part.
+std::set<int> waitedFor(const BlockingGraph& graph, int direction, int part) {
+  std::set<int> found{part};
+  std::vector<int> open{part};
+  while (!open.empty()) {
+    const int next = open.back();
+    open.pop_back();
+    for (const int blocker : graph.blockers(direction, next)) {
+      if (found.insert(blocker).second) {
+        open.push_back(blocker);
+      }
+    }
+  }
+  return found;
+}
+
+TEST(DisassemblyState, ClosuresAreWhatEachPartWaitsForEachOnce) {
+  base::Rng rng(7);
+  std::vector<parts::Part> made;
+  for (int i = 0; i < 60; ++i) {
+    const auto anywhere = [&] { return 6.0 * rng.unit() - 3.0; };
+    const Vec3 from{anywhere(), anywhere(), anywhere()};
+    const Vec3 way = std::array{kX, kY, kZ}[static_cast<std::size_t>(i % 3)];
+    made.push_back(partOf("p" + std::to_string(i), {bar(from, from + way)}));
+  }
+  const MadeUp heap(std::move(made));
+  const Scene scene = makeScene(heap.model, heap.catalogue);
+  const BlockingGraph graph(scene, Sweep(scene));
+  const std::vector<std::vector<int>> neighbours = findNeighbours(scene);
+  std::vector<int> all(scene.parts.size());
+  std::iota(all.begin(), all.end(), 0);
+  const DisassemblyState state(graph, neighbours, all);
+  for (std::size_t d = 0; d < graph.directions().size(); ++d) {
+    std::set<std::set<int>> wanted;
+    for (const int part : all) {
+      wanted.insert(waitedFor(graph, static_cast<int>(d), part));
+    }
+    std::set<std::set<int>> given;
+    for (const std::vector<int>& set : state.closures(static_cast<int>(d))) {
+      EXPECT_TRUE(std::is_sorted(set.begin(), set.end()));
+      EXPECT_TRUE(given.emplace(set.begin(), set.end()).second) << "found twice";
+    }
+    EXPECT_EQ(given, wanted);
+  }
 }
 
 }  // namespace
