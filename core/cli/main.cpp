@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/export_command.h"
 #include "cli/linkage_command.h"
 #include "cli/solve_command.h"
 #include "cli/train_command.h"
@@ -19,6 +20,7 @@ using liftarm::cli::ExitCode;
 
 constexpr int kMostSeeds = 10000;
 constexpr int kMostThreads = 256;
+constexpr const char* kAboutModel = "Model file (NAME.model.json), or LDraw (.ldr, .mpd)";
 constexpr const char* kAbout =
     "Liftarm turns a 3D line sketch into a Technic model that can be built.\n"
     "Exit codes: 0 buildable, 1 input refused (one line on standard error), 2 not buildable,\n"
@@ -94,11 +96,11 @@ std::vector<Verb> addVerbs(CLI::App& app,
                            OtherOptions& other) {
   CLI::App* check =
       app.add_subcommand("check", "Repeat every check on a model file (docs/design.md, 5)");
-  check->add_option("MODEL", other.modelPath, "Model file (NAME.model.json)")->required();
+  check->add_option("MODEL", other.modelPath, kAboutModel)->required();
   check->add_flag("--json", other.json, "Print the answer as one JSON object");
   CLI::App* stress = app.add_subcommand(
       "stress", "Print the stress of a model under its weight and loads: one JSON object");
-  stress->add_option("MODEL", other.modelPath, "Model file (NAME.model.json)")->required();
+  stress->add_option("MODEL", other.modelPath, kAboutModel)->required();
   stress
       ->add_option("--options",
                    other.stressOptions,
@@ -145,6 +147,32 @@ CLI::App* addLinkage(CLI::App& app, liftarm::cli::LinkageOptions& options) {
   return linkage;
 }
 
+//! Verbs that make one file of another.
+std::vector<Verb> addFiles(CLI::App& app, liftarm::cli::ExportOptions& options) {
+  const auto add = [&](const char* name, const char* about) {
+    CLI::App* verb = app.add_subcommand(name, about);
+    verb->add_option("MODEL", options.modelPath, kAboutModel)->required();
+    verb->add_option("-o,--output", options.output, "File to write")->type_name("FILE");
+    return verb;
+  };
+  CLI::App* exported = add("export", "Write a model in another format; without -o, print it");
+  exported
+      ->add_option("--as",
+                   options.format,
+                   "mpd (LDraw), parts.csv (Rebrickable), wanted.xml (BrickLink), "
+                   "spreadsheet.csv, assembly.json, inp (CalculiX), apdl (ANSYS); else what FILE "
+                   "ends with")
+      ->type_name("FORMAT");
+  CLI::App* steps =
+      add("instructions", "Print how a model is put together, step by step, with its parts");
+  steps->add_flag("--json", options.json, "Print the plan as one JSON object");
+  CLI::App* imported =
+      add("import", "Write the model file of an LDraw document; without -o, NAME.model.json here");
+  return {{exported, [&] { return liftarm::cli::exportCommand(options); }},
+          {steps, [&] { return liftarm::cli::instructionsCommand(options); }},
+          {imported, [&] { return liftarm::cli::importCommand(options); }}};
+}
+
 constexpr double kMostRatio = 1000.0;
 constexpr int kMostWay = 30;
 
@@ -176,7 +204,10 @@ int run(int argc, char** argv) {
   liftarm::cli::SolveOptions options;
   OtherOptions other;
   addSolve(app, options);
-  const std::vector<Verb> verbs = addVerbs(app, options, other);
+  std::vector<Verb> verbs = addVerbs(app, options, other);
+  liftarm::cli::ExportOptions exportOptions;
+  const std::vector<Verb> files = addFiles(app, exportOptions);
+  verbs.insert(verbs.end(), files.begin(), files.end());
 
   liftarm::cli::LinkageOptions linkageOptions;
   CLI::App* linkage = addLinkage(app, linkageOptions);

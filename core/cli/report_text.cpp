@@ -126,6 +126,9 @@ std::string reportText(const ordered_json& report) {
   for (const ordered_json& note : report.value("notes", ordered_json::array())) {
     text += "  NOTE: " + textAt(note, "message") + "\n";
   }
+  for (const ordered_json& left : report.value("leftOut", ordered_json::array())) {
+    text += "  NOTE: " + base::plainText(left.get<std::string>()) + "\n";
+  }
   for (const Row& row : kRows) {
     if (report.contains(row.key)) {
       text += "  " + std::string(row.label) + ": " + textOf(report.at(row.key)) + row.unit + "\n";

@@ -12,6 +12,7 @@
 
 #include "base/plain_text.h"
 #include "cli/files.h"
+#include "cli/model_file.h"
 #include "cli/report_text.h"
 #include "cli/solve_seeds.h"
 #include "cli/stress_text.h"
@@ -66,7 +67,6 @@ base::Result<Solution> solve(const std::string& sketch,
   return solveSeeds(sketch, settings, first, options.seeds, options.threads);
 }
 
-constexpr std::size_t kMaxModelBytes = 64U << 20U;
 constexpr const char* kModelEnding = ".model.json";
 //! What a model is written as beside itself.
 constexpr const char* kFormats[] = {"mpd", "parts.csv"};
@@ -198,11 +198,11 @@ ExitCode solveCommand(const SolveOptions& options) {
 }
 
 ExitCode stressCommand(const std::string& modelPath, const std::string& optionsJson) {
-  const base::Result<std::string> model = readFile(modelPath, kMaxModelBytes);
+  const base::Result<ModelText> model = readModelFile(modelPath);
   if (!model.ok()) {
     return refuse(model.error().message);
   }
-  const base::Result<std::string> told = design::analyseStressJson(model.value(), optionsJson);
+  const base::Result<std::string> told = design::analyseStressJson(model.value().json, optionsJson);
   if (!told.ok()) {
     return refuse(modelPath + ": " + told.error().message);
   }
@@ -210,16 +210,19 @@ ExitCode stressCommand(const std::string& modelPath, const std::string& optionsJ
 }
 
 ExitCode checkCommand(const std::string& modelPath, bool json) {
-  const base::Result<std::string> model = readFile(modelPath, kMaxModelBytes);
+  const base::Result<ModelText> model = readModelFile(modelPath);
   if (!model.ok()) {
     return refuse(model.error().message);
   }
-  const base::Result<std::string> checked = design::checkModelJson(model.value());
+  const base::Result<std::string> checked = design::checkModelJson(model.value().json);
   if (!checked.ok()) {
     return refuse(modelPath + ": " + checked.error().message);
   }
   ordered_json report = ordered_json::parse(checked.value(), nullptr, false);
-  report["stress"] = stressSummary(model.value());
+  report["stress"] = stressSummary(model.value().json);
+  if (!model.value().notes.empty()) {
+    report["leftOut"] = model.value().notes;
+  }
   return printReport(std::move(report), modelPath, json);
 }
 
