@@ -23,10 +23,6 @@ void renumber(std::vector<int>& groups) {
   }
 }
 
-int countOf(const std::vector<int>& groups) {
-  return groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
-}
-
 void tellStrayAssembly(const Scene& scene,
                        const std::vector<int>& assemblies,
                        int stray,
@@ -47,6 +43,10 @@ void tellStrayAssembly(const Scene& scene,
 }
 
 }  // namespace
+
+int groupCount(const std::vector<int>& groups) {
+  return groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
+}
 
 std::vector<int> findAssemblies(const Scene& scene) {
   UnionFind groups(scene.parts.size());
@@ -99,7 +99,7 @@ ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& cover
   const std::vector<int> pieces = piecesOfSketch(scene, coverage);
   const PieceMatching matching = matchPieces(coverage, assemblies, pieces);
   const std::vector<int>& taken = matching.assemblyOfPiece;
-  for (int assembly = 0; assembly < countOf(assemblies); ++assembly) {
+  for (int assembly = 0; assembly < groupCount(assemblies); ++assembly) {
     // Without a sketch the assembly of the first part is the model; any other is a stray.
     const bool known = std::find(taken.begin(), taken.end(), assembly) != taken.end();
     if (pieces.empty() ? assembly > 0 : !known) {
@@ -118,7 +118,7 @@ ItemResult checkAssembly(const Scene& scene, const std::vector<EdgeCover>& cover
     }
   }
   result.detail = "pieces drawn: " + std::to_string(matching.assemblyOfPiece.size()) +
-                  ", pieces built: " + std::to_string(countOf(assemblies));
+                  ", pieces built: " + std::to_string(groupCount(assemblies));
   return result;
 }
 

@@ -13,6 +13,9 @@ namespace liftarm::analysis {
 //! piece. Other parts that nothing holds are -1: item 3 tells of them.
 std::vector<int> findAssemblies(const Scene& scene);
 
+//! \brief How many groups there are, numbered from 0 on; -1 is none.
+int groupCount(const std::vector<int>& groups);
+
 //! \brief Item 4 of DESIGN 5: the parts of each connected part of the sketch form one connected
 //! assembly, and there is no assembly without a part of the sketch. Assemblies are matched to
 //! connected parts, each of whose covered edges the assembly must cover: lines of two of them may

@@ -6,16 +6,16 @@
 #include <tuple>
 #include <utility>
 
+#include "base/index.h"
+
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
+
 // Of what can go next, when none of it leaves the rest in one piece.
 constexpr std::size_t kMostTried = 200;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 //! Whether a unit can leave what is there along some direction.
 bool canGo(const AssemblyUnit& unit, const std::vector<char>& has) {

@@ -11,11 +11,13 @@
 #include "analysis/assembly_downwards.h"
 #include "analysis/assembly_units.h"
 #include "analysis/disassembly_state.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 // More are left in the order in which they are: the work grows with their square.
@@ -29,10 +31,6 @@ constexpr std::size_t kLookAhead = 4;
 
 // Lower than what is there by so much, modules, it is built downwards.
 constexpr double kLower = 0.6;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 //! What speaks against an order: less is better.
 struct Faults {

@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/index.h"
+
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using parts::PartClass;
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 void sortOut(std::vector<int>& units) {
   std::sort(units.begin(), units.end());

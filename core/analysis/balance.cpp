@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 
 #include "analysis/assembly.h"
 #include "base/det_math.h"
@@ -14,8 +15,6 @@ namespace {
 
 using lattice::Vec3;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kHeadRadius = 0.3;  // modules
 constexpr double kTiny = 1e-9;
 
 struct Sum {
@@ -38,19 +37,19 @@ void addHoles(const parts::Part& part, Sum& sum) {
 
 void addSolids(const parts::Part& part, Sum& sum) {
   for (const parts::Prism& prism : part.solid) {
-    const double area = kPi * prism.radius * prism.radius +
+    const double area = std::numbers::pi * prism.radius * prism.radius +
                         2 * prism.radius * lattice::length(prism.to - prism.from);
     sum.add(2 * prism.halfThickness * area, 0.5 * (prism.from + prism.to));
   }
   for (const parts::Feature& feature : part.features) {
     if (parts::isMale(feature.kind)) {
-      sum.add(kPi * kHeadRadius * kHeadRadius * feature.length, feature.center);
+      sum.add(std::numbers::pi * kHeadRadius * kHeadRadius * feature.length, feature.center);
     }
   }
 }
 
 double degrees(double radians) {
-  return radians * 180.0 / kPi;
+  return radians * 180.0 / std::numbers::pi;
 }
 
 //! A side of the polygon as seen from the centre of mass.

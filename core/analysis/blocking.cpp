@@ -12,7 +12,7 @@ namespace {
 using lattice::Vec3;
 
 // Parts whose shadows share less than this touch at most.
-constexpr double kTouch = 0.03;
+constexpr double kMeet = 0.03;
 
 //! Two unit vectors across a third.
 std::pair<Vec3, Vec3> across(Vec3 axis) {
@@ -28,7 +28,7 @@ struct Reach {
 };
 
 bool apart(const Sweep::Extent& a, const Sweep::Extent& b) {
-  return std::min(a.max, b.max) - std::max(a.min, b.min) <= kTouch;
+  return std::min(a.max, b.max) - std::max(a.min, b.min) <= kMeet;
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ void BlockingGraph::addAxis(Vec3 axis, std::size_t parts, const Sweep& sweep) {
     const double distance = reach[fixed].along.max - reach[mover].along.min;
     const int a = static_cast<int>(mover);
     const int b = static_cast<int>(fixed);
-    if (distance > kTouch && sweep.blocks(a, b, {axis, distance, {}}) &&
+    if (distance > kMeet && sweep.blocks(a, b, {axis, distance, {}}) &&
         !sweep.overlapInPlace(a, b)) {
       forward[mover].push_back(b);
       backward[fixed].push_back(a);

@@ -7,14 +7,13 @@
 
 #include "analysis/constraints_screws.h"
 #include "analysis/union_find.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 //! Bodies that turn about one line. Those of one axial group do not shift against each other.
 struct Cluster {

@@ -12,9 +12,9 @@ using lattice::Vec3;
 using parts::Prism;
 
 constexpr int kMaxSteps = 64;
-constexpr double kTiny = 1e-12;
-constexpr double kParallel = 1e-10;  // radians: nearer to the axis is along it
-constexpr double kFlat = 1e-9;       // modules: lower tetrahedra have no inside
+constexpr double kTinySquare = 1e-12;
+constexpr double kAlongAxis = 1e-10;  // radians: nearer to the axis is along it
+constexpr double kNoHeight = 1e-9;    // modules: lower tetrahedra have no inside
 
 //! The point of a prism that lies furthest along d, the prism drawn in by `inset`.
 struct PrismSupport {
@@ -29,7 +29,7 @@ struct PrismSupport {
     const Vec3 across = rough - lattice::dot(rough, prism.axis) * prism.axis;
     const double norm = lattice::length(across);
     Vec3 p = lattice::dot(d, prism.to - prism.from) > 0.0 ? prism.to : prism.from;
-    if (norm > kParallel * lattice::length(d)) {
+    if (norm > kAlongAxis * lattice::length(d)) {
       p = p + ((prism.radius - inset) / norm) * across;
     }
     const double height = prism.halfThickness - inset;
@@ -89,7 +89,7 @@ Simplex nearestOnSegment(Vec3 a, Vec3 b) {
   const Vec3 ab = b - a;
   const double t = -lattice::dot(a, ab);
   const double whole = lattice::dot(ab, ab);
-  if (t <= 0.0 || whole <= kTiny) {
+  if (t <= 0.0 || whole <= kTinySquare) {
     return nearestOnPoint(a);
   }
   if (t >= whole) {
@@ -107,7 +107,7 @@ Simplex nearestOnTriangle(Vec3 a, Vec3 b, Vec3 c) {
   offer(best, nearestOnSegment(c, a));
   const Vec3 normal = lattice::cross(b - a, c - a);
   const double square = lattice::dot(normal, normal);
-  if (square <= kTiny * kTiny) {
+  if (square <= kTinySquare * kTinySquare) {
     return best;
   }
   const bool inside = lattice::dot(lattice::cross(b - a, -a), normal) >= 0.0 &&
@@ -127,7 +127,7 @@ Simplex nearestOnTriangle(Vec3 a, Vec3 b, Vec3 c) {
 bool outside(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   const Vec3 normal = lattice::cross(b - a, c - a);
   const double height = lattice::dot(d - a, normal);
-  const bool flat = height * height <= kFlat * kFlat * lattice::dot(normal, normal);
+  const bool flat = height * height <= kNoHeight * kNoHeight * lattice::dot(normal, normal);
   return flat || lattice::dot(-a, normal) * height < 0.0;
 }
 
@@ -166,7 +166,7 @@ bool intersect(const SupportA& a, const SupportB& b, Vec3 start) {
   const auto support = [&](Vec3 d) { return a(d) - b(-d); };
   Simplex simplex = nearestOnPoint(support(start));
   for (int step = 0; step < kMaxSteps; ++step) {
-    if (simplex.size == 4 || simplex.square <= kTiny) {
+    if (simplex.size == 4 || simplex.square <= kTinySquare) {
       return true;
     }
     const Vec3 w = support(-simplex.nearest);

@@ -10,11 +10,13 @@
 #include "analysis/assembly_order.h"
 #include "analysis/disassembly_moves.h"
 #include "analysis/disassembly_state.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 using parts::PartClass;
 
@@ -23,10 +25,6 @@ constexpr std::size_t kSmallSet = 6;
 
 // Sets that leave the rest in one piece are looked for among so many parts at most.
 constexpr std::size_t kFewParts = 200;
-
-std::size_t at(int part) {
-  return static_cast<std::size_t>(part);
-}
 
 bool isFastener(const Scene& scene, int part) {
   const PartClass c = scene.parts[at(part)].part->partClass;
@@ -222,11 +220,11 @@ class Planner {
 
   //! The first of the next few parts that leaves the whole standing; else the first.
   [[nodiscard]] int steadiest(const DisassemblyState& state, const std::vector<int>& parts) const {
-    constexpr std::size_t kLookAhead = 8;
+    constexpr std::size_t kTries = 8;
     if (!wishes_.stands || !inWhole_) {
       return parts.front();
     }
-    for (std::size_t i = 0; i < std::min(parts.size(), kLookAhead); ++i) {
+    for (std::size_t i = 0; i < std::min(parts.size(), kTries); ++i) {
       if (wishes_.stands(state.others({parts[i]}))) {
         return parts[i];
       }

@@ -5,13 +5,13 @@
 #include <iterator>
 #include <utility>
 
+#include "base/index.h"
+
 namespace liftarm::analysis {
 
 namespace {
 
-std::size_t at(int part) {
-  return static_cast<std::size_t>(part);
-}
+using base::at;
 
 //! One part on the stack of a depth-first search that does not call itself.
 struct Visit {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/motion_collisions.h"
+#include "base/index.h"
 #include "model/number_text.h"
 #include "sketch/shaft_json.h"
 
@@ -14,16 +15,13 @@ namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kSteps = 24;          // over a turn of the slowest shaft of a train
 constexpr double kRounding = 1e-9;  // of a ratio
 constexpr double kOnLine = 0.06;    // modules: as far as a head may be off its hole's line
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class DriveJudge {
  public:

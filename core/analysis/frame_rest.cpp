@@ -18,8 +18,8 @@ using lattice::Vec3;
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kMaxRolls = 50;
-constexpr double kFlat = 0.999;  // cosine: a face that lies on the table
-constexpr double kSame = 1e-6;   // modules
+constexpr double kLiesFlat = 0.999;  // cosine: a face that lies on the table
+constexpr double kSamePoint = 1e-6;  // modules
 
 //! A point of the surface, and whether it counts where its face lies flat: four of eight do.
 struct SurfacePoint {
@@ -28,7 +28,7 @@ struct SurfacePoint {
   bool corner = true;
 };
 
-Vec3 across(Vec3 axis) {
+Vec3 squareTo(Vec3 axis) {
   return lattice::normalized(std::abs(axis.x) < 0.9 ? lattice::cross(axis, {1, 0, 0})
                                                     : lattice::cross(axis, {0, 1, 0}));
 }
@@ -36,8 +36,8 @@ Vec3 across(Vec3 axis) {
 //! Points around both ends of a prism, its lowest ones among them.
 void addPoints(const parts::Prism& prism, int part, std::vector<SurfacePoint>& points) {
   const double diagonal = std::sqrt(0.5);
-  const bool straight = lattice::length(prism.to - prism.from) > kSame;
-  const Vec3 u = straight ? lattice::normalized(prism.to - prism.from) : across(prism.axis);
+  const bool straight = lattice::length(prism.to - prism.from) > kSamePoint;
+  const Vec3 u = straight ? lattice::normalized(prism.to - prism.from) : squareTo(prism.axis);
   const Vec3 v = lattice::cross(prism.axis, u);
   const Vec3 down = prism.axis.z * prism.axis - Vec3{0, 0, 1};
   std::vector<std::pair<Vec3, bool>> ways{{u, true}, {-u, true}, {v, true}, {-v, true}};
@@ -45,7 +45,7 @@ void addPoints(const parts::Prism& prism, int part, std::vector<SurfacePoint>& p
     ways.push_back({a * u + diagonal * v, false});
     ways.push_back({a * u - diagonal * v, false});
   }
-  if (lattice::length(down) > 1.0 - kFlat) {
+  if (lattice::length(down) > 1.0 - kLiesFlat) {
     ways.push_back({lattice::normalized(down), false});
   }
   for (const Vec3 end : {prism.from, prism.to}) {
@@ -88,12 +88,12 @@ std::vector<Foot> feetOf(const std::vector<SurfacePoint>& surface, Vec3 up, bool
   }
   std::vector<Foot> feet;
   for (const SurfacePoint& s : surface) {
-    const bool flat = !all && std::abs(lattice::dot(s.axis, up)) > kFlat;
-    if (lattice::dot(s.point.at, up) > lowest + kGroundTolerance || (flat && !s.corner)) {
+    const bool flat = !all && std::abs(lattice::dot(s.axis, up)) > kLiesFlat;
+    if (lattice::dot(s.point.at, up) > lowest + kRestTolerance || (flat && !s.corner)) {
       continue;
     }
     const auto isSame = [&](const Foot& other) {
-      return other.part == s.point.part && lattice::length(other.at - s.point.at) < kSame;
+      return other.part == s.point.part && lattice::length(other.at - s.point.at) < kSamePoint;
     };
     if (std::none_of(feet.begin(), feet.end(), isSame)) {
       feet.push_back(s.point);
@@ -113,7 +113,7 @@ Vec3 nearestOn(Vec3 a, Vec3 b, Vec3 p, Vec3 up) {
 
 //! Feet on the rim of their convex hull, in order around it (Andrew's monotone chain).
 std::vector<Vec3> hullOf(const std::vector<Foot>& feet, Vec3 up) {
-  const Vec3 e1 = across(up);
+  const Vec3 e1 = squareTo(up);
   const Vec3 e2 = lattice::cross(up, e1);
   std::vector<std::tuple<double, double, Vec3>> flat;
   for (const Foot& foot : feet) {
@@ -165,7 +165,7 @@ Vec3 roll(const std::vector<SurfacePoint>& surface, Vec3 pivot, Vec3 way, Vec3 u
   for (const SurfacePoint& s : surface) {
     const double x = lattice::dot(s.point.at - pivot, way);
     const double z = std::max(0.0, lattice::dot(s.point.at - pivot, up));
-    if (x > kGroundTolerance || z > kGroundTolerance) {
+    if (x > kRestTolerance || z > kRestTolerance) {
       least = std::min(least, base::detAtan2(z, x));
     }
   }
@@ -185,7 +185,7 @@ Rest findRest(const Scene& scene, Vec3 centre) {
     const Vec3 pivot = nearestSupport(hullOf(touching, rest.up), centre, rest.up);
     Vec3 way = centre - pivot;
     way = way - lattice::dot(way, rest.up) * rest.up;
-    if (lattice::length(way) < kSame) {
+    if (lattice::length(way) < kSamePoint) {
       break;
     }
     rest.up = roll(surface, pivot, lattice::normalized(way), rest.up);

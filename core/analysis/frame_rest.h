@@ -21,7 +21,7 @@ struct Rest {
 
 //! Points this little above the table rest on it too, modules: beams laid flat reach 0.5 below
 //! their holes, beams on edge 0.45.
-inline constexpr double kGroundTolerance = 0.06;
+inline constexpr double kRestTolerance = 0.06;
 
 //! \brief Rolls a rigid model over its feet until its centre of mass is above them.
 //! \details Feet are low points of bodies and of heads that are in no hole. A model that stands as

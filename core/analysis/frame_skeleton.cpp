@@ -14,11 +14,11 @@ namespace {
 using lattice::Vec3;
 using parts::FeatureKind;
 
-constexpr double kSame = 0.06;  // modules: points nearer than this are one
+constexpr double kOnePoint = 0.06;  // modules: points nearer than this are one
 
-class Builder {
+class SkeletonBuilder {
  public:
-  explicit Builder(const parts::Part& part) : part_(part) {}
+  explicit SkeletonBuilder(const parts::Part& part) : part_(part) {}
 
   Skeleton build() {
     addPoints();
@@ -38,7 +38,7 @@ class Builder {
  private:
   int pointAt(Vec3 at) {
     for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
-      if (lattice::length(skeleton_.points[i] - at) < kSame) {
+      if (lattice::length(skeleton_.points[i] - at) < kOnePoint) {
         return static_cast<int>(i);
       }
     }
@@ -61,7 +61,7 @@ class Builder {
       skeleton_.pointOfSlot.push_back(slots);
     }
     for (const parts::Prism& prism : part_.solid) {
-      if (lattice::length(prism.to - prism.from) > kSame) {
+      if (lattice::length(prism.to - prism.from) > kOnePoint) {
         pointAt(prism.from);
         pointAt(prism.to);
       }
@@ -75,7 +75,7 @@ class Builder {
   void addArm(const parts::Prism& prism) {
     const Vec3 along = prism.to - prism.from;
     const double length = lattice::length(along);
-    if (length < kSame) {
+    if (length < kOnePoint) {
       return;
     }
     const Vec3 direction = (1.0 / length) * along;
@@ -83,7 +83,8 @@ class Builder {
     for (std::size_t i = 0; i < skeleton_.points.size(); ++i) {
       const Vec3 offset = skeleton_.points[i] - prism.from;
       const double t = lattice::dot(offset, direction);
-      if (t > -kSame && t < length + kSame && lattice::length(offset - t * direction) < kSame) {
+      if (t > -kOnePoint && t < length + kOnePoint &&
+          lattice::length(offset - t * direction) < kOnePoint) {
         on.emplace_back(t, static_cast<int>(i));
       }
     }
@@ -170,7 +171,7 @@ bool continues(const Skeleton& skeleton, const SkeletonEdge& in, const SkeletonE
 }  // namespace
 
 Skeleton skeletonOf(const parts::Part& part) {
-  return Builder(part).build();
+  return SkeletonBuilder(part).build();
 }
 
 void simplify(Skeleton& skeleton, const std::vector<bool>& keep) {

@@ -32,14 +32,15 @@ constexpr int kRefinements = 8;
 constexpr double kResidual = 1e-13;
 constexpr double kWorthwhile = 0.25;  // a refinement that leaves more of the residual is the last
 
+using Element = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
+
 Triplets elementTriplets(const Frame& frame) {
-  using Matrix12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
   Triplets triplets;
   triplets.reserve(frame.elements.size() * 78 + frame.nodes.size() * 21);
   for (const FrameElement& element : frame.elements) {
     std::array<double, 144> local = stiffnessOf(frame, element);
     const lattice::Mat3 axes = axesOf(frame, element);
-    Matrix12 turn = Matrix12::Zero();
+    Element turn = Element::Zero();
     for (int block = 0; block < 4; ++block) {
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
@@ -47,7 +48,7 @@ Triplets elementTriplets(const Frame& frame) {
         }
       }
     }
-    const Matrix12 k = turn.transpose() * Eigen::Map<Matrix12>(local.data()) * turn;
+    const Element k = turn.transpose() * Eigen::Map<Element>(local.data()) * turn;
     for (int i = 0; i < 12; ++i) {
       for (int j = 0; j < 12; ++j) {
         const int row = 6 * (i < 6 ? element.a : element.b) + i % 6;

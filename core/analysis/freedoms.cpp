@@ -11,18 +11,16 @@
 #include "analysis/motion_basis.h"
 #include "analysis/rank.h"
 #include "analysis/union_find.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kStill = 1e-4;  // radians and modules per unit of motion
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Link lineOf(const JointLine& joint) {
   Link link;

@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/index.h"
 #include "model/number_text.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kWhole = 0.01;   // modules from a whole length, and from a lattice plane
@@ -19,10 +21,6 @@ constexpr int kShortest = 3;      // modules
 constexpr double kAlong = 0.999;  // cosine: a brace along a line at its end would hide in it
 constexpr double kSameNode = 0.01;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 //! A node of the sketch and the beam that stands for it.
 struct Node {
   Vec3 place;
@@ -30,7 +28,7 @@ struct Node {
   int part = -1;
 };
 
-struct Candidate {
+struct BraceCandidate {
   Brace brace;
   double length = 0.0;
   std::vector<double> stretch;  // per motion, of the ends' distance, for a unit of length
@@ -85,11 +83,11 @@ std::vector<const FreeMotion*> looseMotions(const Freedoms& freedoms) {
   return motions;
 }
 
-std::vector<Candidate> candidatesOf(const Scene& scene,
-                                    const std::vector<Node>& nodes,
-                                    const Freedoms& freedoms) {
+std::vector<BraceCandidate> candidatesOf(const Scene& scene,
+                                         const std::vector<Node>& nodes,
+                                         const Freedoms& freedoms) {
   const std::vector<const FreeMotion*> motions = looseMotions(freedoms);
-  std::vector<Candidate> candidates;
+  std::vector<BraceCandidate> candidates;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (std::size_t j = i + 1; j < nodes.size(); ++j) {
       const Node& p = nodes[i];
@@ -98,7 +96,7 @@ std::vector<Candidate> candidatesOf(const Scene& scene,
           !isLine(scene, p, q)) {
         continue;
       }
-      Candidate candidate;
+      BraceCandidate candidate;
       candidate.length = lattice::length(q.place - p.place);
       const Vec3 way = (1.0 / candidate.length) * (q.place - p.place);
       double most = 0.0;
@@ -134,11 +132,11 @@ std::vector<Brace> findBraces(const Scene& scene,
   if (!scene.sketch.has_value() || looseMotions(freedoms).empty()) {
     return braces;
   }
-  std::vector<Candidate> candidates = candidatesOf(scene, nodesOf(coverage), freedoms);
+  std::vector<BraceCandidate> candidates = candidatesOf(scene, nodesOf(coverage), freedoms);
   for (std::size_t m = looseMotions(freedoms).size(); m > 0; --m) {
-    const Candidate* best = nullptr;
+    const BraceCandidate* best = nullptr;
     double bestWorth = 0.0;
-    for (const Candidate& candidate : candidates) {
+    for (const BraceCandidate& candidate : candidates) {
       // A short brace that holds as well saves material.
       const double stretch = norm(candidate.stretch);
       const double worth = stretch / (kShortest + candidate.length);
@@ -157,7 +155,7 @@ std::vector<Brace> findBraces(const Scene& scene,
     // What is left of each stretch beside what this brace stops.
     const std::vector<double> taken = best->stretch;
     const double square = norm(taken) * norm(taken);
-    for (Candidate& candidate : candidates) {
+    for (BraceCandidate& candidate : candidates) {
       double share = 0.0;
       for (std::size_t k = 0; k < taken.size(); ++k) {
         share += candidate.stretch[k] * taken[k] / square;

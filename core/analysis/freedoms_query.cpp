@@ -9,18 +9,16 @@
 #include "analysis/axle_lines.h"
 #include "analysis/node_index.h"
 #include "analysis/union_find.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kSamePlace = 0.05;  // modules
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double distanceToEdge(Vec3 p, const EdgeCover& edge) {
   return std::min(lattice::length(p - edge.from), lattice::length(p - edge.to));

@@ -8,22 +8,20 @@
 
 #include "analysis/union_find.h"
 #include "base/det_math.h"
+#include "base/index.h"
 #include "parts/gear_teeth.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kTeethPerModule = 16.0;
-constexpr double kAddendum = 0.125;   // of teeth beyond the pitch circle
-constexpr double kSamePlane = 0.5;    // modules along the shafts that gears in mesh are apart
-constexpr double kParallel = 0.9998;  // cosine
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr double kAddendum = 0.125;       // of teeth beyond the pitch circle
+constexpr double kSamePlane = 0.5;        // modules along the shafts that gears in mesh are apart
+constexpr double kParallelAxes = 0.9998;  // cosine
 
 //! A gear as it stands.
 struct Wheel {
@@ -137,7 +135,7 @@ class TrainsFinder {
   }
 
   void compare(const Wheel& p, const Wheel& q) {
-    if (std::abs(lattice::dot(p.axis, q.axis)) < kParallel) {
+    if (std::abs(lattice::dot(p.axis, q.axis)) < kParallelAxes) {
       return;
     }
     const Vec3 off = q.middle - p.middle;

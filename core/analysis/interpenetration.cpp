@@ -17,10 +17,6 @@ namespace {
 using lattice::Vec3;
 using Kind = Shape::Kind;
 
-// Tips of gear teeth reach this far beyond the pitch circle (addendum and clearance).
-constexpr double kAddendum = 0.125;
-constexpr double kRimDepth = 0.1;  // the counterbore of a pin hole
-
 //! (part with the head, feature, slot, part with the hole).
 using HeadInPart = std::tuple<int, int, int, int>;
 
@@ -44,7 +40,7 @@ class Collisions {
     double tolerance = kPenetration;
     if (first.part->partClass == parts::PartClass::kGear &&
         second.part->partClass == parts::PartClass::kGear) {
-      tolerance += 2 * kAddendum;
+      tolerance += 2 * kToothHeight;
     }
     for (const Shape& s : first.shapes) {
       for (const Shape& t : second.shapes) {
@@ -118,7 +114,7 @@ class Collisions {
       return false;
     }
     const double depth = half - (std::abs(along) - collar.halfThickness);
-    return depth <= kRimDepth + kPenetration;
+    return depth <= kCounterbore + kPenetration;
   }
 
   const Scene& scene_;

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "analysis/kinematic_chain.h"
 #include "analysis/motion_collisions.h"
 #include "analysis/union_find.h"
+#include "base/index.h"
 #include "model/number_text.h"
 #include "model/seating.h"
 
@@ -16,24 +18,16 @@ namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Pose;
 using lattice::Vec3;
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kDegree = kPi / 180.0;
+constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kHalfTurn = 180.0;     // degrees
 constexpr double kLargestStep = 5.0;    // degrees
 constexpr double kSmallestStep = 0.25;  // degrees; stops are found this well
 constexpr double kLargestShift = 0.4;   // modules that a part may move in one step
 constexpr double kMoving = 1e-6;        // radians or modules per unit
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-Pose after(const Pose& outer, const Pose& inner) {
-  return {outer.apply(inner.position), outer.rotation * inner.rotation};
-}
 
 //! The linkage with one freedom left: the other motions' drivers are locked.
 MergedLinkage lockOthers(const Freedoms& freedoms, int motion) {
@@ -74,9 +68,9 @@ double reachOf(const Scene& scene, const std::vector<int>& bodyOf, int base, con
 }
 
 //! Goes one way from the start until something stops it.
-class Sweep {
+class RangeSweep {
  public:
-  Sweep(KinematicChain chain, MotionCollisions& collisions, double step)
+  RangeSweep(KinematicChain chain, MotionCollisions& collisions, double step)
       : chain_(std::move(chain)), collisions_(collisions), step_(step) {}
 
   //! \param sign 1 or -1. \return Where it ended; keys() has the way there.
@@ -140,10 +134,10 @@ std::string endText(const Scene& scene, const RangeEnd& end) {
 //! Key poses from both sweeps, thinned out to about the largest step.
 MotionPath makePath(const Scene& scene,
                     const std::vector<int>& bodyOf,
-                    const Sweep& back,
-                    const Sweep& forth) {
+                    const RangeSweep& back,
+                    const RangeSweep& forth) {
   std::vector<std::pair<double, std::vector<Pose>>> keys;
-  const auto keep = [&](const Sweep& sweep) {
+  const auto keep = [&](const RangeSweep& sweep) {
     double last = 0.0;
     for (const auto& key : sweep.keys()) {
       if (std::abs(key.first - last) > kLargestStep * 0.8 || &key == &sweep.keys().back()) {
@@ -172,7 +166,8 @@ MotionPath makePath(const Scene& scene,
     path.degrees.push_back(degrees);
     path.poses.emplace_back();
     for (const int i : path.parts) {
-      path.poses.back().push_back(after(poses[at(bodyOf[at(i)])], scene.model->parts[at(i)].pose));
+      path.poses.back().push_back(
+          lattice::after(poses[at(bodyOf[at(i)])], scene.model->parts[at(i)].pose));
     }
   }
   return path;
@@ -323,8 +318,8 @@ JointMotion JointMover::run(const Study& study, int motion, Link driver) const {
   const double step = std::clamp(kLargestShift / reach / kDegree, 2 * kSmallestStep, kLargestStep);
   MotionCollisions collisions(scene_, locked.bodyOf);
   const KinematicChain chain(locked.linkage, driver, base, slack_);
-  Sweep forth(chain, collisions, step);
-  Sweep back(chain, collisions, step);
+  RangeSweep forth(chain, collisions, step);
+  RangeSweep back(chain, collisions, step);
   JointRange& range = result.range;
   range.to = forth.run(1.0);
   range.from = back.run(-1.0);

@@ -8,11 +8,13 @@
 #include "analysis/union_find.h"
 #include "base/check.h"
 #include "base/det_math.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Pose;
 using lattice::Vec3;
 
@@ -22,10 +24,6 @@ constexpr double kLongestBend = 0.05;  // what a move may differ by from the one
 constexpr double kFineMove = 9e-3;     // radians of the driver, half a degree: taken as it comes
 constexpr int kMaxIterations = 15;
 constexpr std::size_t kRows = 5;  // equations per loop
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Turning about an axis through the origin.
 Vec3 turned(Vec3 v, Vec3 axis, double angle) {
@@ -44,12 +42,8 @@ Pose displacement(const Link& link, double angle, double shift) {
   return pose;
 }
 
-Pose after(const Pose& outer, const Pose& inner) {
-  return {outer.apply(inner.position), outer.rotation * inner.rotation};
-}
-
 //! Two unit vectors across an axis.
-std::array<Vec3, 2> across(Vec3 axis) {
+std::array<Vec3, 2> squaresTo(Vec3 axis) {
   const Vec3 any = std::abs(axis.z) > 0.6 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
   const Vec3 first = lattice::normalized(lattice::cross(axis, any));
   return {first, lattice::cross(axis, first)};
@@ -131,8 +125,8 @@ void KinematicChain::place() {
       ++k;
       shift = variables_[k].sign * variables_[k].value;
     }
-    poses_[at(v.child)] =
-        after(poses_[at(v.parent)], displacement(linkage_.links[at(v.link)], angle, shift));
+    poses_[at(v.child)] = lattice::after(poses_[at(v.parent)],
+                                         displacement(linkage_.links[at(v.link)], angle, shift));
   }
 }
 
@@ -143,7 +137,8 @@ Twist KinematicChain::screwOf(const Variable& variable) const {
   return variable.sign * (variable.shifts ? shifting(axis) : turning(pose.apply(link.at), axis));
 }
 
-//! By how much each loop is open: across the line, along it where it may not shift, and in angle.
+//! By how much each loop is open: across the line, along it where it may not shift, and in
+//! angle.
 std::vector<double> KinematicChain::loopErrors() const {
   std::vector<double> errors;
   for (const int l : loops_) {
@@ -153,7 +148,7 @@ std::vector<double> KinematicChain::loopErrors() const {
     const Vec3 axis = a.rotation * link.axis;
     const Vec3 gap = b.apply(link.at) - a.apply(link.at);
     const Vec3 other = b.rotation * link.axis;
-    for (const Vec3 side : across(axis)) {
+    for (const Vec3 side : squaresTo(axis)) {
       errors.push_back(lattice::dot(gap, side) / unit_);
       errors.push_back(lattice::dot(other, side));
     }
@@ -169,7 +164,7 @@ double KinematicChain::improve(const std::vector<double>& errors) {
     const Link& link = linkage_.links[at(loops_[i])];
     const Vec3 axis = poses_[at(link.a)].rotation * link.axis;
     const Vec3 place = poses_[at(link.b)].apply(link.at);
-    const std::array<Vec3, 2> sides = across(axis);
+    const std::array<Vec3, 2> sides = squaresTo(axis);
     const auto addColumn = [&](std::size_t k, double sign) {
       if (k == driver_) {
         return;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lattice/vec.h"
+
 namespace liftarm::analysis {
 
 //! \brief A linear-elastic, isotropic material. N, mm, MPa.
@@ -24,7 +26,7 @@ struct Material {
 //! as ABS too, an estimate.
 inline constexpr Material kAbs{2250.0, 0.35, 40.0};
 
-inline constexpr double kMillimetresPerModule = 8.0;
+using lattice::kMillimetresPerModule;
 inline constexpr double kGravity = 9.80665;  //!< m/s^2
 
 //! \name Stiffness of a head in a hole

@@ -6,16 +6,14 @@
 
 #include "analysis/rank_sparse.h"
 #include "analysis/union_find.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Middle and half size of the lines of some links.
 struct Extent {

@@ -6,19 +6,17 @@
 #include <optional>
 #include <set>
 
+#include "analysis/assembly.h"
+
 namespace liftarm::analysis {
 
 namespace {
-
-int countOf(const std::vector<int>& groups) {
-  return groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1;
-}
 
 //! Which assemblies could stand for which piece: those with a beam on every covered edge of it.
 std::vector<std::vector<int>> candidatesOfPieces(const std::vector<EdgeCover>& coverage,
                                                  const std::vector<int>& assemblies,
                                                  const std::vector<int>& pieces) {
-  const auto count = static_cast<std::size_t>(countOf(pieces));
+  const auto count = static_cast<std::size_t>(groupCount(pieces));
   std::vector<std::optional<std::set<int>>> common(count);
   for (const EdgeCover& edge : coverage) {
     std::set<int> here;
@@ -47,9 +45,9 @@ std::vector<std::vector<int>> candidatesOfPieces(const std::vector<EdgeCover>& c
   return candidates;
 }
 
-class Matching {
+class PieceMatcher {
  public:
-  Matching(const std::vector<std::vector<int>>& candidates, int assemblies)
+  PieceMatcher(const std::vector<std::vector<int>>& candidates, int assemblies)
       : candidates_(candidates), pieceOf_(static_cast<std::size_t>(assemblies), -1) {
     for (std::size_t p = 0; p < candidates.size(); ++p) {
       seen_.assign(pieceOf_.size(), false);
@@ -95,7 +93,7 @@ PieceMatching matchPieces(const std::vector<EdgeCover>& coverage,
                           const std::vector<int>& pieces) {
   const std::vector<std::vector<int>> candidates = candidatesOfPieces(coverage, assemblies, pieces);
   PieceMatching matching;
-  matching.assemblyOfPiece = Matching(candidates, countOf(assemblies)).assemblyOfPiece();
+  matching.assemblyOfPiece = PieceMatcher(candidates, groupCount(assemblies)).assemblyOfPiece();
   matching.covered.assign(candidates.size(), false);
   for (const EdgeCover& edge : coverage) {
     if (!edge.covers.empty()) {

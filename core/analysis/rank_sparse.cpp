@@ -13,7 +13,7 @@ namespace {
 constexpr double kSure = 20 * kDependent;  // the smallest pivot that leaves no doubt
 constexpr double kGrown = 1e5;             // entries start at the order of one
 constexpr double kShareOfLargest = 0.1;    // a pivot is at least this share of its column's largest
-constexpr double kZero = 1e-9;
+constexpr double kNothing = 1e-9;
 constexpr std::size_t kFewColumns = 100;  // orthogonalisation is fast enough
 
 using Entry = std::pair<std::size_t, double>;  // column, value
@@ -140,7 +140,7 @@ class Elimination {
       const bool fromB = i == a.size() || (j < b.size() && b[j].first <= a[i].first);
       const std::size_t c = fromA ? a[i].first : b[j].first;
       const double value = (fromA ? a[i].second : 0.0) - (fromB ? share * b[j].second : 0.0);
-      if (c != column && std::abs(value) > kZero) {
+      if (c != column && std::abs(value) > kNothing) {
         result.emplace_back(c, value);
         small = small && std::abs(value) < kGrown;
         if (!fromA) {
@@ -170,7 +170,7 @@ class Elimination {
         }
       }
       const double value = -sum / own;
-      x[column] = std::abs(value) < kZero ? 0.0 : value;
+      x[column] = std::abs(value) < kNothing ? 0.0 : value;
     }
     return x;
   }

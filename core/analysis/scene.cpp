@@ -12,9 +12,6 @@ namespace {
 
 using lattice::Vec3;
 
-// Pins and axles have a radius of 6 LDU; pins flare to 6.25 at their tips.
-constexpr double kHeadRadius = 0.3;
-
 parts::Prism placed(const lattice::Pose& pose, const parts::Prism& prism) {
   return {pose.apply(prism.from),
           pose.apply(prism.to),

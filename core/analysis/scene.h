@@ -11,6 +11,13 @@
 
 namespace liftarm::analysis {
 
+//! Pins and axles have a radius of 6 LDU; pins flare to 6.25 at their tips. Modules.
+inline constexpr double kHeadRadius = 0.3;
+//! Tips of gear teeth reach this far beyond the pitch circle (addendum and clearance), modules.
+inline constexpr double kToothHeight = 0.125;
+//! The depth of the rim of a pin hole, modules.
+inline constexpr double kCounterbore = 0.1;
+
 //! \brief One convex piece of a placed part, in the world.
 struct Shape {
   enum class Kind { kBody, kHead, kCollar };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/materials.h"
 
@@ -9,7 +10,6 @@ namespace liftarm::analysis {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kShearShare = 5.0 / 6.0;  // of a rectangle
 constexpr double kPeak = 1.5;              // greatest to mean shear stress in a rectangle
 constexpr int kSlices = 64;                // over half a module
@@ -98,8 +98,9 @@ Section pinSection() {
   const double q = (1.0 + m * m) * (1.0 + m * m);
   const double share = 6.0 * (1.0 + nu) * q / ((7.0 + 6.0 * nu) * q + (20.0 + 12.0 * nu) * m * m);
   Section section;
-  section.area = kPi * (kPinOuter * kPinOuter - kPinInner * kPinInner);
-  section.inertiaY = kPi * (kPinOuter * cube(kPinOuter) - kPinInner * cube(kPinInner)) / 4.0;
+  section.area = std::numbers::pi * (kPinOuter * kPinOuter - kPinInner * kPinInner);
+  section.inertiaY =
+      std::numbers::pi * (kPinOuter * cube(kPinOuter) - kPinInner * cube(kPinInner)) / 4.0;
   section.inertiaZ = section.inertiaY;
   section.torsion = 2.0 * section.inertiaY;
   section.shearY = share * section.area;

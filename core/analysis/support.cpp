@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include "analysis/convex.h"
@@ -15,7 +16,6 @@ namespace {
 using lattice::Vec3;
 using parts::Prism;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kRimPoints = 16;
 constexpr double kCollinear = 1e-9;
 
@@ -37,7 +37,7 @@ void addTouching(const Prism& prism, double top, std::vector<GroundPoint>& point
   for (const Vec3 end : {prism.from, prism.to}) {
     for (const double side : {-1.0, 1.0}) {
       for (int k = 0; k < kRimPoints; ++k) {
-        const double angle = 2 * kPi * k / kRimPoints;
+        const double angle = 2 * std::numbers::pi * k / kRimPoints;
         const Vec3 p = end + (side * prism.halfThickness) * prism.axis +
                        (prism.radius * base::detCos(angle)) * first +
                        (prism.radius * base::detSin(angle)) * second;

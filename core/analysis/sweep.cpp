@@ -17,10 +17,6 @@ using Kind = Shape::Kind;
 using parts::FeatureKind;
 using parts::Prism;
 
-constexpr double kHeadRadius = 0.3;
-constexpr double kAddendum = 0.125;  // of gear teeth, see interpenetration.cpp
-constexpr double kRimDepth = 0.1;    // the counterbore of a pin hole
-
 Prism moved(Prism prism, Vec3 by) {
   prism.from = prism.from + by;
   prism.to = prism.to + by;
@@ -124,7 +120,7 @@ bool Sweep::passesNot(const Solid& head, const Body& other, const Solid& wall, c
     }
     if (head.kind == Kind::kCollar) {
       if (hole.kind == FeatureKind::kPinHole) {
-        const double rim = kRimDepth + kPenetration;
+        const double rim = kCounterbore + kPenetration;
         open.emplace_back(at - hole.halfLength - rim, at - hole.halfLength + rim);
         open.emplace_back(at + hole.halfLength - rim, at + hole.halfLength + rim);
       }
@@ -167,7 +163,7 @@ bool Sweep::solidsMeet(
   if (t.kind != Kind::kBody && isWall(t, s) && parallel(t.prism.axis, path.direction)) {
     return passesNot(t, mover, s, reversed(path));
   }
-  const double teeth = mover.gear && fixed.gear ? 2 * kAddendum : 0.0;
+  const double teeth = mover.gear && fixed.gear ? 2 * kToothHeight : 0.0;
   return hits(s, t, path, kPenetration + teeth);
 }
 

@@ -15,7 +15,7 @@ using lattice::Vec3;
 using parts::FeatureKind;
 using parts::PartClass;
 
-constexpr double kSame = 1e-6;
+constexpr double kNearer = 1e-6;
 
 using SlotKey = std::tuple<int, int, int>;  // part, feature, slot
 
@@ -48,7 +48,7 @@ std::vector<int> headsOf(const parts::Part& part, const parts::Feature& feature)
 std::vector<Vec3> modulesOf(const parts::Part& part) {
   std::vector<Vec3> modules;
   for (const parts::Prism& prism : part.solid) {
-    if (lattice::length(prism.to - prism.from) < kSame) {
+    if (lattice::length(prism.to - prism.from) < kNearer) {
       modules.push_back(prism.from);
     }
   }
@@ -59,7 +59,7 @@ std::vector<Vec3> modulesOf(const parts::Part& part) {
 bool isOf(Vec3 module, Vec3 slot, const std::vector<Vec3>& modules) {
   const double own = lattice::length(slot - module);
   return std::none_of(modules.begin(), modules.end(), [&](Vec3 other) {
-    return lattice::length(slot - other) < own - kSame;
+    return lattice::length(slot - other) < own - kNearer;
   });
 }
 

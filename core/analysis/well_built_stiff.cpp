@@ -8,14 +8,13 @@
 #include "analysis/constraints.h"
 #include "analysis/union_find.h"
 #include "analysis/well_built_items.h"
+#include "base/index.h"
 
 namespace liftarm::analysis {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 bool isFrame(const ScenePart& part) {
   return part.part != nullptr && part.part->partClass == parts::PartClass::kBeam &&
@@ -101,11 +100,11 @@ bool isJoint(const Scene& scene, const Link& link) {
   if (!scene.sketch.has_value()) {
     return false;
   }
-  constexpr double kSameLine = 0.06;  // as files round and lines snap
+  constexpr double kOneLine = 0.06;  // as files round and lines snap
   return std::any_of(
       scene.sketch->joints.begin(), scene.sketch->joints.end(), [&](const sketch::Joint& joint) {
-        return lattice::length(lattice::cross(joint.axis, link.axis)) < kSameLine &&
-               lattice::length(lattice::cross(joint.at - link.at, link.axis)) < kSameLine;
+        return lattice::length(lattice::cross(joint.axis, link.axis)) < kOneLine &&
+               lattice::length(lattice::cross(joint.at - link.at, link.axis)) < kOneLine;
       });
 }
 

@@ -17,23 +17,16 @@ using lattice::Mat3;
 using lattice::Vec3;
 using sketch::PointIsometry;
 
-constexpr double kSame = 0.06;       // modules; snapping may leave most of it
+constexpr double kAlike = 0.06;      // modules; snapping may leave most of it
 constexpr double kMostLayers = 4.0;  // between beams that stand for one line
-
-double determinant(const Mat3& a) {
-  const Vec3 x{a.m[0], a.m[3], a.m[6]};
-  const Vec3 y{a.m[1], a.m[4], a.m[7]};
-  const Vec3 z{a.m[2], a.m[5], a.m[8]};
-  return lattice::dot(lattice::cross(x, y), z);
-}
 
 bool isMirror(const Mat3& a) {
   constexpr double kExact = 1e-3;
-  return determinant(a) < 0.0 && std::abs(a.m[0] + a.m[4] + a.m[8] - 1.0) < kExact;
+  return lattice::determinant(a) < 0.0 && std::abs(a.m[0] + a.m[4] + a.m[8] - 1.0) < kExact;
 }
 
 bool isRotation(const Mat3& a) {
-  return determinant(a) > 0.0;
+  return lattice::determinant(a) > 0.0;
 }
 
 //! What a beam is to the eye: where its holes are, and across which direction it is flat.
@@ -80,19 +73,19 @@ bool isOffByOne(const Holes& beam, const PointIsometry& map) {
   double most = 0.0;
   for (const Vec3& hole : beam.at) {
     const double distance = nearestHole(beam, map.apply(hole));
-    own += distance < kSame ? 1 : 0;
+    own += distance < kAlike ? 1 : 0;
     most = std::max(most, distance);
   }
-  return own + 1 == beam.at.size() && std::abs(most - 1.0) < kSame;
+  return own + 1 == beam.at.size() && std::abs(most - 1.0) < kAlike;
 }
 
 //! Whether a beam and its own image would be at one place, across each other.
 bool meetsItsImage(const Holes& beam, const PointIsometry& map) {
   const Vec3 step = beam.at[1] - beam.at[0];
   const Vec3 image = map.apply(beam.at[1]) - map.apply(beam.at[0]);
-  return lattice::length(lattice::cross(image, step)) > kSame &&
+  return lattice::length(lattice::cross(image, step)) > kAlike &&
          std::any_of(beam.at.begin(), beam.at.end(), [&](Vec3 hole) {
-           return nearestHole(beam, map.apply(hole)) < 1.0 - kSame;
+           return nearestHole(beam, map.apply(hole)) < 1.0 - kAlike;
          });
 }
 
@@ -101,10 +94,10 @@ bool areInLine(const Holes& a, const Holes& b) {
   const Vec3 step = a.at[1] - a.at[0];
   const Vec3 apart = b.middle - a.middle;
   const Vec3 across = apart - lattice::dot(apart, step) * step;
-  return lattice::length(lattice::cross(step, b.at[1] - b.at[0])) < kSame &&
-         lattice::length(lattice::cross(a.flat, b.flat)) < kSame &&
-         lattice::length(across - lattice::dot(across, a.flat) * a.flat) < kSame &&
-         lattice::length(across) < kMostLayers + kSame;
+  return lattice::length(lattice::cross(step, b.at[1] - b.at[0])) < kAlike &&
+         lattice::length(lattice::cross(a.flat, b.flat)) < kAlike &&
+         lattice::length(across - lattice::dot(across, a.flat) * a.flat) < kAlike &&
+         lattice::length(across) < kMostLayers + kAlike;
 }
 
 //! By beam: how far from its image's place it may lie where no two beams can lie as the map has
@@ -150,8 +143,8 @@ class BeamIndex {
 
   [[nodiscard]] bool hasAt(const Holes& beam, const PointIsometry& map, Vec3 shift) const {
     const Vec3 middle = map.apply(beam.middle) + shift;
-    const Cell low = cellOf(middle - Vec3{kSame, kSame, kSame});
-    const Cell high = cellOf(middle + Vec3{kSame, kSame, kSame});
+    const Cell low = cellOf(middle - Vec3{kAlike, kAlike, kAlike});
+    const Cell high = cellOf(middle + Vec3{kAlike, kAlike, kAlike});
     for (int x = low.x; x <= high.x; ++x) {
       for (int y = low.y; y <= high.y; ++y) {
         for (int z = low.z; z <= high.z; ++z) {
@@ -173,7 +166,7 @@ class BeamIndex {
            std::all_of(beam.at.begin(), beam.at.end(), [&](Vec3 hole) {
              const Vec3 image = map.apply(hole) + shift;
              return std::any_of(other.at.begin(), other.at.end(), [&](Vec3 p) {
-               return lattice::length(p - image) < kSame;
+               return lattice::length(p - image) < kAlike;
              });
            });
   }
@@ -186,7 +179,7 @@ bool canBeObeyed(const sketch::Sketch& sketch, const PointIsometry& map) {
   return std::all_of(sketch.lines.begin(), sketch.lines.end(), [&](const sketch::Line& line) {
     const Vec3 from = map.apply(line.from);
     const Vec3 to = map.apply(line.to);
-    const auto near = [](Vec3 a, Vec3 b) { return lattice::length(a - b) < kSame; };
+    const auto near = [](Vec3 a, Vec3 b) { return lattice::length(a - b) < kAlike; };
     if (!(near(from, line.from) && near(to, line.to)) &&
         !(near(from, line.to) && near(to, line.from))) {
       return true;
@@ -195,8 +188,8 @@ bool canBeObeyed(const sketch::Sketch& sketch, const PointIsometry& map) {
     for (int i = 0; i < 3; ++i) {
       const Vec3 axis = lattice::unitVector(lattice::axisFromIndex(i));
       const Vec3 image = map.linear * axis;
-      if (std::abs(lattice::dot(axis, direction)) < kSame &&
-          std::abs(lattice::dot(axis, image)) > 1.0 - kSame) {
+      if (std::abs(lattice::dot(axis, direction)) < kAlike &&
+          std::abs(lattice::dot(axis, image)) > 1.0 - kAlike) {
         return true;
       }
     }

@@ -25,6 +25,10 @@ struct Error {
   std::string message;
 };
 
+inline Error invalidInput(std::string message) {
+  return {Status::kInvalidInput, std::move(message)};
+}
+
 //! \brief Either a value or an Error. Reading the wrong side is a bug and stops the program.
 template <typename T>
 class Result {

@@ -35,7 +35,7 @@ constexpr std::array<Row, 13> kRows{{{"seed", "seed", ""},
                                      {"mass", "mass", " g"},
                                      {"iterations", "iterations", ""}}};
 
-std::string textOf(const ordered_json& value) {
+std::string plainTextOf(const ordered_json& value) {
   return value.is_string() ? base::plainText(value.get<std::string>()) : value.dump();
 }
 
@@ -131,7 +131,8 @@ std::string reportText(const ordered_json& report) {
   }
   for (const Row& row : kRows) {
     if (report.contains(row.key)) {
-      text += "  " + std::string(row.label) + ": " + textOf(report.at(row.key)) + row.unit + "\n";
+      text +=
+          "  " + std::string(row.label) + ": " + plainTextOf(report.at(row.key)) + row.unit + "\n";
     }
   }
   text += motionText(report);

@@ -69,7 +69,7 @@ base::Result<Solution> solve(const std::string& sketch,
 
 constexpr const char* kModelEnding = ".model.json";
 //! What a model is written as beside itself.
-constexpr const char* kFormats[] = {"mpd", "parts.csv"};
+constexpr const char* kFilesOfAModel[] = {"mpd", "parts.csv"};
 
 std::string stemOf(const SolveOptions& options) {
   return options.folder + "/" + baseName(options.sketchPath);
@@ -78,7 +78,7 @@ std::string stemOf(const SolveOptions& options) {
 //! The result that would be written over the sketch, if one would.
 std::optional<std::string> resultOverInput(const SolveOptions& options) {
   std::vector<std::string> paths{stemOf(options) + kModelEnding};
-  for (const char* format : kFormats) {
+  for (const char* format : kFilesOfAModel) {
     paths.push_back(stemOf(options) + "." + format);
   }
   const auto found = std::find_if(paths.begin(), paths.end(), [&](const std::string& path) {
@@ -89,7 +89,7 @@ std::optional<std::string> resultOverInput(const SolveOptions& options) {
 
 base::Result<std::size_t> writeResults(const SolveOptions& options, const std::string& modelJson) {
   std::vector<FileText> files{{stemOf(options) + kModelEnding, modelJson}};
-  for (const char* format : kFormats) {
+  for (const char* format : kFilesOfAModel) {
     base::Result<std::string> text = design::exportModel(modelJson, format);
     if (!text.ok()) {
       return text.error();
@@ -123,11 +123,11 @@ ExitCode tell(const std::string& text, ExitCode otherwise) {
   return print(text) ? otherwise : fail("the report cannot be written to standard output");
 }
 
-ExitCode printReport(ordered_json report, const std::string& path, bool json) {
+ExitCode printReport(ordered_json report, const std::string& path, bool asJson) {
   if (report.value("name", "").empty()) {
     report["name"] = baseName(path);
   }
-  return tell(json ? jsonLine(report) : reportText(report),
+  return tell(asJson ? jsonLine(report) : reportText(report),
               report.value("buildable", false) ? ExitCode::kBuildable : ExitCode::kNotBuildable);
 }
 

@@ -20,7 +20,7 @@ constexpr int kNear = 7;
 constexpr std::uint32_t kRoundsOfSome = 5;
 constexpr double kWorkOfAll = 2.5e9;  // AnnealingOptions::mostWork
 constexpr double kWorkOfSome = 2e8;
-constexpr std::uint32_t kSlice = 1000;
+constexpr std::uint32_t kStep = 1000;
 
 //! The first and last of a line's nodes that lie within so many modules of a point, if any.
 std::optional<std::pair<int, int>> nodesNear(const sketch::Line& line, Vec3 at, double radius) {
@@ -133,7 +133,7 @@ bool joinsAll(const sketch::Sketch& sketch,
   options.mostWork = work;
   options.mostWorkUntilWhole = work;
   search::Annealer annealer(problem, solver, std::move(options));
-  while (!annealer.advance(kSlice)) {
+  while (!annealer.advance(kStep)) {
   }
   return isWhole(annealer.best());
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/index.h"
 #include "layout/axle_collisions.h"
 #include "search/axle_sites.h"
 #include "sketch/json_text.h"
@@ -12,22 +13,15 @@ namespace liftarm::design {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
+using sketch::pointText;
 
-constexpr double kSame = 0.05;        // modules
+constexpr double kOnePlace = 0.05;    // modules
 constexpr double kParallel = 1e-3;    // sine
 constexpr double kMostLean = 0.015;   // sine, of a joint's axis: the check lets no pin lean by more
 constexpr int kShortestWithHold = 2;  // edges of an axle that something holds at both ends
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-std::string pointText(Vec3 p) {
-  return "[" + sketch::shortNumber(p.x) + ", " + sketch::shortNumber(p.y) + ", " +
-         sketch::shortNumber(p.z) + "]";
-}
 
 bool isParallel(Vec3 a, Vec3 b) {
   return lattice::length(lattice::cross(a, b)) < kParallel;
@@ -36,9 +30,9 @@ bool isParallel(Vec3 a, Vec3 b) {
 bool isOn(const sketch::Line& line, Vec3 p) {
   const Vec3 along = line.to - line.from;
   const double share = lattice::dot(p - line.from, along) / lattice::dot(along, along);
-  const double slack = kSame / lattice::length(along);
+  const double slack = kOnePlace / lattice::length(along);
   return share > -slack && share < 1.0 + slack &&
-         lattice::length(p - line.from - share * along) < kSame;
+         lattice::length(p - line.from - share * along) < kOnePlace;
 }
 
 //! Whether two lines have a stretch in common.
@@ -46,12 +40,12 @@ bool overlap(const sketch::Line& a, const sketch::Line& b) {
   const Vec3 along = lattice::normalized(a.to - a.from);
   const Vec3 offset = b.from - a.from;
   if (!isParallel(along, lattice::normalized(b.to - b.from)) ||
-      lattice::length(lattice::cross(offset, along)) > kSame) {
+      lattice::length(lattice::cross(offset, along)) > kOnePlace) {
     return false;
   }
   const auto [low, high] =
       std::minmax({lattice::dot(offset, along), lattice::dot(b.to - a.from, along)});
-  return std::min(high, lattice::length(a.to - a.from)) - std::max(low, 0.0) > kSame;
+  return std::min(high, lattice::length(a.to - a.from)) - std::max(low, 0.0) > kOnePlace;
 }
 
 class Refusal {
@@ -99,7 +93,7 @@ class Refusal {
     const sketch::Joint& joint = sketch_.joints[j];
     for (std::size_t i = 0; i < j; ++i) {
       const sketch::Joint& other = sketch_.joints[i];
-      if (lattice::length(other.at - joint.at) < kSame && !isParallel(other.axis, joint.axis)) {
+      if (lattice::length(other.at - joint.at) < kOnePlace && !isParallel(other.axis, joint.axis)) {
         return "joints[" + std::to_string(j) + "]: lines cannot turn about two axes at " +
                pointText(joint.at) + ", this one and that of joints[" + std::to_string(i) +
                "], since no part has pin holes for both at one place; expected joints at two nodes";
@@ -179,7 +173,7 @@ class Refusal {
   [[nodiscard]] std::size_t jointAt(int node, Axis axis) const {
     const auto found =
         std::find_if(sketch_.joints.begin(), sketch_.joints.end(), [&](const sketch::Joint& joint) {
-          return lattice::length(joint.at - graph_.nodes[at(node)]) < kSame &&
+          return lattice::length(joint.at - graph_.nodes[at(node)]) < kOnePlace &&
                  isParallel(joint.axis, lattice::unitVector(axis));
         });
     return static_cast<std::size_t>(found - sketch_.joints.begin());

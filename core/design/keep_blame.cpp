@@ -15,7 +15,7 @@ namespace {
 using lattice::Vec3;
 
 constexpr double kWork = 4e8;  // AnnealingOptions::mostWork
-constexpr std::size_t kMostLooks = 8;
+constexpr std::size_t kMostSuspects = 8;
 
 //! One thing that is kept: what is said of it, where, and all that is kept but it.
 struct Suspect {
@@ -110,7 +110,7 @@ std::optional<layout::KeepFault> findBlame(const sketch::Sketch& sketch,
   std::stable_sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
     return a.distance < b.distance;
   });
-  for (std::size_t i = 0; i < std::min(kMostLooks, suspects.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostSuspects, suspects.size()); ++i) {
     changed.keeps = suspects[i].without;
     if (joinsAll(sketch, changed, table, kRoundsOfBlame, kWork)) {
       suspects[i].fault.message += "; without that there is one";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/index.h"
 #include "design/crossed_part.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
@@ -13,16 +14,13 @@ namespace liftarm::design {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Cell;
 using lattice::Mat3;
 using lattice::Vec3;
 using layout::Beam;
 using layout::Cover;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 const parts::Part& catalogued(std::string_view id) {
   const parts::Part* part = parts::Catalogue::builtIn().find(id);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "design/model_builder.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
@@ -12,19 +13,12 @@ namespace liftarm::design {
 
 namespace {
 
+using base::at;
 using base::Error;
 using base::Status;
 
 constexpr double kMostOwned = 1e6;
 constexpr const char* kInlinePin = "2780";
-
-Error invalid(const std::string& message) {
-  return {Status::kInvalidInput, message};
-}
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Those of which any are owned; limits on them go to `limits`.
 template <typename Item, typename PartOf>
@@ -71,10 +65,10 @@ void limitAxles(Settings* settings) {
 base::Result<bool> applyOwned(Settings* settings, const std::string& partId, double count) {
   const std::string key = "set." + std::string(kOwnedPrefix) + partId;
   if (parts::Catalogue::builtIn().find(partId) == nullptr) {
-    return invalid(key + ": no part " + partId + " in the catalogue");
+    return base::invalidInput(key + ": no part " + partId + " in the catalogue");
   }
   if (!(count >= 0.0 && count <= kMostOwned) || count != std::floor(count)) {
-    return invalid(key + ": a whole number from 0 to 1000000 is needed");
+    return base::invalidInput(key + ": a whole number from 0 to 1000000 is needed");
   }
   settings->owned[partId] = static_cast<int>(count);
   return true;
@@ -97,7 +91,7 @@ base::Result<bool> limitSearch(Settings* settings) {
     }
   }
   if (lengths.empty()) {
-    return invalid("set.owned: no straight beam is left; own at least one kind");
+    return base::invalidInput("set.owned: no straight beam is left; own at least one kind");
   }
   annealing.lengths = lengths;
   annealing.bends = limited(
@@ -112,7 +106,8 @@ base::Result<bool> limitSearch(Settings* settings) {
       &annealing.supply.frames);
   const auto pins = owned.find(kInlinePin);
   if (pins != owned.end() && pins->second == 0) {
-    return invalid("set.owned.2780: at least 1 is needed, since joints in line are pinned with it");
+    return base::invalidInput(
+        "set.owned.2780: at least 1 is needed, since joints in line are pinned with it");
   }
   settings->connectors = limited(
       settings->connectors,

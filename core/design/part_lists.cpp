@@ -25,10 +25,6 @@ using nlohmann::json;
 constexpr std::array<std::string_view, 5> kLists{
     "axles", "bent", "connectors", "frames", "lengths"};
 
-Error invalid(const std::string& message) {
-  return {Status::kInvalidInput, message};
-}
-
 std::vector<std::string> splitList(const std::string& text) {
   std::vector<std::string> items;
   std::string item;
@@ -62,7 +58,8 @@ base::Result<std::vector<int>> readForms(const std::string& key,
       for (const std::string& part : parts) {
         known += (known.empty() ? "" : ", ") + part;
       }
-      return invalid("set." + key + ": " + id + " is no " + kind + "; use some of " + known);
+      return base::invalidInput("set." + key + ": " + id + " is no " + kind + "; use some of " +
+                                known);
     }
     forms.push_back(static_cast<int>(found - parts.begin()));
   }
@@ -117,15 +114,16 @@ base::Result<bool> applyPartList(Settings* settings,
     for (const std::string& id : items) {
       const parts::Part* part = parts::Catalogue::builtIn().find(id);
       if (part == nullptr) {
-        return invalid("set.connectors: no part " + id + " in the catalogue");
+        return base::invalidInput("set.connectors: no part " + id + " in the catalogue");
       }
       if (part->partClass == parts::PartClass::kGear ||
           (part->partClass == parts::PartClass::kBeam && id != layout::kSpacerPart)) {
-        return invalid("set.connectors: " + id + " is no pin, axle or connector");
+        return base::invalidInput("set.connectors: " + id + " is no pin, axle or connector");
       }
     }
     if (std::find(items.begin(), items.end(), "2780") == items.end()) {
-      return invalid("set.connectors: 2780 is needed, since joints in line are pinned with it");
+      return base::invalidInput(
+          "set.connectors: 2780 is needed, since joints in line are pinned with it");
     }
     settings->connectors = items;
     return true;
@@ -139,13 +137,14 @@ base::Result<bool> applyPartList(Settings* settings,
     const double number = numberOf(item);
     const auto found = std::find_if(known.begin(), known.end(), [&](int n) { return n == number; });
     if (found == known.end()) {
-      return invalid("set.lengths: " + item +
-                     " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
+      return base::invalidInput("set.lengths: " + item +
+                                " is no beam length; use 2, 3, 5, 6, 7, 9, 11, 13, 15");
     }
     lengths.push_back(*found);
   }
   if (lengths.empty()) {
-    return invalid("set.lengths: at least one beam length is needed, such as \"3,5,9,15\"");
+    return base::invalidInput(
+        "set.lengths: at least one beam length is needed, such as \"3,5,9,15\"");
   }
   std::sort(lengths.begin(), lengths.end());
   lengths.erase(std::unique(lengths.begin(), lengths.end()), lengths.end());

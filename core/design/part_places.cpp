@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/index.h"
 #include "design/attempt.h"
 #include "design/earlier_json.h"
 #include "design/model_builder.h"
@@ -25,19 +26,16 @@ namespace liftarm::design {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 using layout::Beam;
 using layout::RunStretch;
 using nlohmann::json;
 
-constexpr double kSame = 0.3;  // modules: halves of a thin pair are a quarter off
+constexpr double kSameLayer = 0.3;  // modules: halves of a thin pair are a quarter off
 constexpr int kPast = 1;
 constexpr std::size_t kMostFits = 24;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! A part that lies on runs: one bar for each.
 struct Body {
@@ -209,7 +207,7 @@ class Places {
         const Vec3 node =
             layout::holePosition(problem_.graph, runOf(bar), body.axis, i, body.layer);
         if (std::none_of(holes.begin(), holes.end(), [&](Vec3 hole) {
-              return lattice::length(hole - node) < kSame;
+              return lattice::length(hole - node) < kSameLayer;
             })) {
           return false;
         }

@@ -96,10 +96,6 @@ std::string keyOf(const search::SearchSwitch& part) {
   return "search." + std::string(part.name);
 }
 
-Error invalid(const std::string& message) {
-  return {Status::kInvalidInput, message};
-}
-
 std::string numberText(double v) {
   return json(v).dump();
 }
@@ -157,7 +153,8 @@ base::Result<bool> applySchedule(Settings* settings, const std::string& name) {
   std::vector<std::string_view> known = rivals::scheduleNames();
   known.insert(known.begin(), "exponential");
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    return invalid("set.paper.schedule: " + name + " is unknown; use " + choiceOf(known));
+    return base::invalidInput("set.paper.schedule: " + name + " is unknown; use " +
+                              choiceOf(known));
   }
   settings->paper.cooling = rivals::coolingOf(name);
   return true;
@@ -179,7 +176,8 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
       return true;
     }
     if (term) {
-      return invalid("set." + key + ": a number from 0 to 1000000 is needed, not " + value.dump());
+      return base::invalidInput("set." + key + ": a number from 0 to 1000000 is needed, not " +
+                                value.dump());
     }
   }
   if (key.rfind(kOwnedPrefix, 0) == 0) {
@@ -190,7 +188,7 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
       continue;
     }
     if (number != 0.0 && number != 1.0) {
-      return invalid("set." + key + ": 0 or 1 is needed, not " + value.dump());
+      return base::invalidInput("set." + key + ": 0 or 1 is needed, not " + value.dump());
     }
     settings->annealing.parts.*known.part = number == 1.0;
     return true;
@@ -200,16 +198,16 @@ base::Result<bool> applyKey(Settings* settings, const std::string& key, const js
       continue;
     }
     if (known.whole && number != std::floor(number)) {
-      return invalid("set." + key + ": a whole number is needed, not " + value.dump());
+      return base::invalidInput("set." + key + ": a whole number is needed, not " + value.dump());
     }
     if (!(number >= known.low && number <= known.high)) {
-      return invalid("set." + key + ": a number from " + numberText(known.low) + " to " +
-                     numberText(known.high) + " is needed, not " + value.dump());
+      return base::invalidInput("set." + key + ": a number from " + numberText(known.low) + " to " +
+                                numberText(known.high) + " is needed, not " + value.dump());
     }
     known.apply(settings, number);
     return true;
   }
-  return invalid("set." + key + ": no such key; known are " + knownKeys());
+  return base::invalidInput("set." + key + ": no such key; known are " + knownKeys());
 }
 
 //! What a preset changes beside the weights of the objective.
@@ -242,21 +240,23 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
     if (key == "seed") {
       const double seed = numberOf(value);
       if (!(seed >= 0.0 && seed <= 9007199254740991.0) || seed != std::floor(seed)) {
-        return invalid("seed: a whole number from 0 to 9007199254740991 is needed, not " +
-                       value.dump());
+        return base::invalidInput(
+            "seed: a whole number from 0 to 9007199254740991 is needed, not " + value.dump());
       }
       settings->annealing.seed = static_cast<std::uint64_t>(seed);
     } else if (key == "preset") {
       const auto preset = objective::presetFromName(textOf(value));
       if (!preset) {
-        return invalid("preset: " + textOf(value) +
-                       " is none of faithful, simple, faithful-rigid, simple-rigid, balanced");
+        return base::invalidInput(
+            "preset: " + textOf(value) +
+            " is none of faithful, simple, faithful-rigid, simple-rigid, balanced");
       }
       settings->preset = *preset;
     } else if (key == "method") {
       const std::vector<std::string_view> known = methodNames();
       if (std::find(known.begin(), known.end(), textOf(value)) == known.end()) {
-        return invalid("method: " + textOf(value) + " is unknown; use " + choiceOf(known));
+        return base::invalidInput("method: " + textOf(value) + " is unknown; use " +
+                                  choiceOf(known));
       }
       settings->method = textOf(value);
     } else if (key == "earlier") {
@@ -266,8 +266,8 @@ base::Result<bool> applyTop(Settings* settings, const json& root) {
       }
       settings->annealing.earlier = std::move(earlier).value();
     } else if (key != "set") {
-      return invalid("settings: no such key " + key +
-                     "; known are seed, preset, method, set, earlier");
+      return base::invalidInput("settings: no such key " + key +
+                                "; known are seed, preset, method, set, earlier");
     }
   }
   applyPreset(settings);
@@ -285,11 +285,11 @@ base::Result<Settings> readSettings(std::string_view text) {
   // Bounded in depth, since messages show values and showing one is recursive.
   const base::Result<json> parsed = sketch::parseJsonText(text, sketch::JsonLimits{});
   if (!parsed.ok()) {
-    return invalid("settings: " + parsed.error().message);
+    return base::invalidInput("settings: " + parsed.error().message);
   }
   const json& root = parsed.value();
   if (!root.is_object()) {
-    return invalid("settings: a JSON object is needed, such as {\"seed\": 1}");
+    return base::invalidInput("settings: a JSON object is needed, such as {\"seed\": 1}");
   }
   const base::Result<bool> top = applyTop(&settings, root);
   if (!top.ok()) {
@@ -297,7 +297,7 @@ base::Result<Settings> readSettings(std::string_view text) {
   }
   if (const auto set = root.find("set"); set != root.end()) {
     if (!set->is_object()) {
-      return invalid("set: an object of keys and values is needed");
+      return base::invalidInput("set: an object of keys and values is needed");
     }
     for (const auto& [key, value] : set->items()) {
       const base::Result<bool> applied = applyKey(&settings, key, value);

@@ -20,28 +20,24 @@ constexpr std::size_t kMaxLoads = 1000;
 constexpr double kMaxForce = 1e5;      // N
 constexpr double kMaxStiffness = 1e6;  // N mm / rad
 
-base::Error invalid(std::string message) {
-  return {base::Status::kInvalidInput, std::move(message)};
-}
-
 base::Result<lattice::Vec3> readVector(const json& object,
                                        const std::string& place,
                                        const char* key,
                                        double limit) {
   const std::string at = place + "." + key;
   if (!object.is_object() || !object.contains(key)) {
-    return invalid(at + ": missing; expected three numbers");
+    return base::invalidInput(at + ": missing; expected three numbers");
   }
   const json& value = object.at(key);
   if (!value.is_array() || value.size() != 3) {
-    return invalid(at + ": expected three numbers");
+    return base::invalidInput(at + ": expected three numbers");
   }
   lattice::Vec3 result;
   for (int i = 0; i < 3; ++i) {
     const json& element = value[static_cast<std::size_t>(i)];
     if (!element.is_number() || !(std::abs(element.get<double>()) <= limit)) {
-      return invalid(at + ": expected three numbers of at most " +
-                     std::to_string(static_cast<int>(limit)) + " in magnitude");
+      return base::invalidInput(at + ": expected three numbers of at most " +
+                                std::to_string(static_cast<int>(limit)) + " in magnitude");
     }
     result[i] = element.get<double>();
   }
@@ -59,12 +55,13 @@ base::Result<FitHold> readFriction(const json& value) {
   if (name == "locked") {
     return FitHold::kLocked;
   }
-  return invalid("friction: expected \"held\", \"free\" or \"locked\"");
+  return base::invalidInput("friction: expected \"held\", \"free\" or \"locked\"");
 }
 
 base::Result<std::vector<analysis::PointLoad>> readLoads(const json& value) {
   if (!value.is_array() || value.size() > kMaxLoads) {
-    return invalid("loads: expected an array of at most " + std::to_string(kMaxLoads) + " loads");
+    return base::invalidInput("loads: expected an array of at most " + std::to_string(kMaxLoads) +
+                              " loads");
   }
   std::vector<analysis::PointLoad> loads;
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -91,7 +88,7 @@ base::Result<analysis::StressOptions> readStressOptions(std::string_view text) {
   }
   const json document = json::parse(text, nullptr, false);
   if (!document.is_object()) {
-    return invalid("options: expected an object in braces");
+    return base::invalidInput("options: expected an object in braces");
   }
   if (document.contains("friction")) {
     const base::Result<FitHold> friction = readFriction(document.at("friction"));
@@ -103,7 +100,7 @@ base::Result<analysis::StressOptions> readStressOptions(std::string_view text) {
   if (document.contains("heldStiffness")) {
     const json& value = document.at("heldStiffness");
     if (!value.is_number() || !(value.get<double>() > 0.0) || value.get<double>() > kMaxStiffness) {
-      return invalid("heldStiffness: expected a number above 0, at most 1000000");
+      return base::invalidInput("heldStiffness: expected a number above 0, at most 1000000");
     }
     options.heldStiffness = value.get<double>();
   }

@@ -11,12 +11,12 @@ using nlohmann::ordered_json;
 ordered_json placesJson(const std::vector<analysis::Problem>& places) {
   ordered_json result = ordered_json::array();
   for (const analysis::Problem& place : places) {
-    ordered_json json{{"kind", place.kind}, {"message", place.message}};
+    ordered_json entry{{"kind", place.kind}, {"message", place.message}};
     if (place.at.has_value()) {
-      json["at"] = pointJson(*place.at);
+      entry["at"] = pointJson(*place.at);
     }
-    json["parts"] = place.parts;
-    result.push_back(std::move(json));
+    entry["parts"] = place.parts;
+    result.push_back(std::move(entry));
   }
   return result;
 }

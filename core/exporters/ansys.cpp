@@ -19,22 +19,23 @@ using lattice::Vec3;
 constexpr std::size_t kConstantsPerLine = 6;
 constexpr std::size_t kMaxTitle = 70;
 
-std::string real(double value) {
+std::string apdlReal(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.9g", value);
   return text.data();
 }
 
-std::string number(int value) {
+std::string apdlNumber(int value) {
   return std::to_string(value);
 }
 
 std::string nodeText(int id, Vec3 at) {
-  return "N," + number(id) + "," + real(at.x) + "," + real(at.y) + "," + real(at.z) + "\n";
+  return "N," + apdlNumber(id) + "," + apdlReal(at.x) + "," + apdlReal(at.y) + "," +
+         apdlReal(at.z) + "\n";
 }
 
 //! A title without what APDL would take for a command.
-std::string plain(const std::string& text) {
+std::string apdlTitle(const std::string& text) {
   std::string result;
   for (const char c : text.substr(0, kMaxTitle)) {
     const auto code = static_cast<unsigned char>(c);
@@ -45,9 +46,10 @@ std::string plain(const std::string& text) {
 
 std::string sectionText(const Frame& frame, int id, const Section& s) {
   const double g = frame.material.shearModulus();
-  return "SECTYPE," + number(id) + ",BEAM,ASEC\nSECDATA," + real(s.area) + "," + real(s.inertiaY) +
-         ",0," + real(s.inertiaZ) + ",0," + real(s.torsion) + ",0,0,0,0\n" + "SECCONTROL," +
-         real(g * s.shearZ) + ",0," + real(g * s.shearY) + "\n";
+  return "SECTYPE," + apdlNumber(id) + ",BEAM,ASEC\nSECDATA," + apdlReal(s.area) + "," +
+         apdlReal(s.inertiaY) + ",0," + apdlReal(s.inertiaZ) + ",0," + apdlReal(s.torsion) +
+         ",0,0,0,0\n" + "SECCONTROL," + apdlReal(g * s.shearZ) + ",0," + apdlReal(g * s.shearY) +
+         "\n";
 }
 
 //! The upper triangle of a spring's stiffness, row by row.
@@ -70,10 +72,10 @@ class Script {
  public:
   Script(const analysis::StressState& state, const std::string& title)
       : state_(state), frame_(state.model.frame) {
-    text_ = "! Units: N, mm, MPa\n/PREP7\n/TITLE," + plain(title) +
+    text_ = "! Units: N, mm, MPa\n/PREP7\n/TITLE," + apdlTitle(title) +
             "\nET,1,BEAM188\nKEYOPT,1,3,3\nET,2,MATRIX27\nKEYOPT,2,3,4\nMP,EX,1," +
-            real(frame_.material.youngsModulus) + "\nMP,PRXY,1," +
-            real(frame_.material.poissonRatio) + "\n";
+            apdlReal(frame_.material.youngsModulus) + "\nMP,PRXY,1," +
+            apdlReal(frame_.material.poissonRatio) + "\n";
   }
 
   std::string write() {
@@ -107,8 +109,8 @@ class Script {
     const lattice::Mat3 axes = analysis::axesOf(frame_, element);
     const Vec3 z{axes.m[2], axes.m[5], axes.m[8]};
     text_ += nodeText(nextNode_, frame_.nodes[static_cast<std::size_t>(element.a)] + 10.0 * z);
-    text_ += "SECNUM," + number(element.section + 1) + "\nE," + number(element.a + 1) + "," +
-             number(element.b + 1) + "," + number(nextNode_++) + "\n";
+    text_ += "SECNUM," + apdlNumber(element.section + 1) + "\nE," + apdlNumber(element.a + 1) +
+             "," + apdlNumber(element.b + 1) + "," + apdlNumber(nextNode_++) + "\n";
   }
 
   void addSpring(const FrameSpring& spring) {
@@ -116,17 +118,17 @@ class Script {
     ++lastReal_;
     for (std::size_t i = 0; i < constants.size(); ++i) {
       if (i % kConstantsPerLine == 0) {
-        text_ += i == 0 ? "R," + number(lastReal_) : std::string("\nRMORE");
+        text_ += i == 0 ? "R," + apdlNumber(lastReal_) : std::string("\nRMORE");
       }
-      text_ += "," + real(constants[i]);
+      text_ += "," + apdlReal(constants[i]);
     }
     int other = spring.b + 1;
     if (spring.b < 0) {
-      text_ += "\n" + nodeText(nextNode_, spring.at) + "D," + number(nextNode_) + ",ALL";
+      text_ += "\n" + nodeText(nextNode_, spring.at) + "D," + apdlNumber(nextNode_) + ",ALL";
       other = nextNode_++;
     }
-    text_ +=
-        "\nREAL," + number(lastReal_) + "\nE," + number(spring.a + 1) + "," + number(other) + "\n";
+    text_ += "\nREAL," + apdlNumber(lastReal_) + "\nE," + apdlNumber(spring.a + 1) + "," +
+             apdlNumber(other) + "\n";
   }
 
   void addLoads() {
@@ -135,8 +137,8 @@ class Script {
     for (std::size_t node = 0; node < loads.size(); ++node) {
       for (std::size_t k = 0; k < 6; ++k) {
         if (loads[node][k] != 0.0) {
-          text_ += "F," + number(static_cast<int>(node) + 1) + "," + kNames[k] + "," +
-                   real(loads[node][k]) + "\n";
+          text_ += "F," + apdlNumber(static_cast<int>(node) + 1) + "," + kNames[k] + "," +
+                   apdlReal(loads[node][k]) + "\n";
         }
       }
     }

@@ -3,15 +3,14 @@
 #include <cstdlib>
 
 #include "base/check.h"
+#include "base/index.h"
 #include "gears/gear_sizes.h"
 
 namespace liftarm::gears {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 }  // namespace
 

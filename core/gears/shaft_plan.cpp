@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/index.h"
 #include "gears/gear_sizes.h"
 #include "gears/line_nodes.h"
 #include "gears/shaft_seats.h"
@@ -16,14 +17,11 @@ namespace liftarm::gears {
 
 namespace {
 
+using base::at;
 using lattice::Cell;
 using lattice::Vec3;
 
 constexpr double kHalfPart = 0.5;  // modules from a line to the side of the beam on it
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::string textOf(Cell cell) {
   return "(" + std::to_string(cell.x) + ", " + std::to_string(cell.y) + ", " +

@@ -7,12 +7,14 @@
 #include <numeric>
 #include <utility>
 
+#include "base/index.h"
 #include "guide/beam_bound.h"
 
 namespace liftarm::guide {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 
 constexpr int kWidestDomain = 3 * kLongestBeam;  // between walls, modules
@@ -21,10 +23,6 @@ constexpr double kTieNoise = 0.01;
 
 //! Whole beams of one part, in edges.
 constexpr std::array<int, 8> kBeamEdges{1, 2, 4, 6, 8, 10, 12, 14};
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! A run of a coplanar component, as its direction sees it; whole modules from the component's
 //! first node.

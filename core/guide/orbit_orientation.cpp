@@ -1,25 +1,23 @@
 #include <algorithm>
 
 #include "base/det_math.h"
+#include "base/index.h"
 #include "guide/orbits.h"
 
 namespace liftarm::guide {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 
 constexpr int kMostStarts = 12;  // each is dearer than one without orbits
 constexpr int kSweeps = 12;
-constexpr double kFirstTemperature = 1.5;
-constexpr double kLastTemperature = 0.1;
-constexpr double kCooling = 0.6;
+constexpr double kOrbitsFirst = 1.5;
+constexpr double kOrbitsLast = 0.1;
+constexpr double kOrbitsCooling = 0.6;
 constexpr double kPinnedCost = 4.0;  // two runs on layer 0 that cross
-constexpr double kSame = 1e-9;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr double kSameCost = 1e-9;
 
 void setAxis(const Orbits& orbits, int run, Axis axis, Orientation* orientation) {
   (*orientation)[at(run)] = axis;
@@ -82,22 +80,22 @@ Orientation estimateOrientation(const GuidingGraph& graph,
       setAxis(orbits, run, choices[at(run)][rng->below(2)], &orientation);
     }
     double cost = costOf(graph, orbits, orientation);
-    double temperature = kFirstTemperature;
-    for (int sweep = 0; sweep < kSweeps; ++sweep, temperature *= kCooling) {
+    double temperature = kOrbitsFirst;
+    for (int sweep = 0; sweep < kSweeps; ++sweep, temperature *= kOrbitsCooling) {
       for (const int run : free) {
         const Axis before = orientation[at(run)];
         const std::vector<Axis>& axes = choices[at(run)];
         setAxis(orbits, run, axes[0] == before ? axes[1] : axes[0], &orientation);
         const double delta = costOf(graph, orbits, orientation) - cost;
         if (delta <= 0.0 ||
-            (temperature > kLastTemperature && rng->unit() < base::detExp(-delta / temperature))) {
+            (temperature > kOrbitsLast && rng->unit() < base::detExp(-delta / temperature))) {
           cost += delta;
         } else {
           setAxis(orbits, run, before, &orientation);
         }
       }
     }
-    if (cost < bestCost - kSame) {
+    if (cost < bestCost - kSameCost) {
       best = orientation;
       bestCost = cost;
     }

@@ -5,22 +5,20 @@
 #include <optional>
 
 #include "base/det_math.h"
+#include "base/index.h"
 #include "guide/beam_bound.h"
 
 namespace liftarm::guide {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 
 constexpr double kSamePlace = 1e-3;
 constexpr std::size_t kMostImages = 512;  // of one run
 constexpr std::size_t kLostShare = 4;     // one run of so many may be lost to a symmetry
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool near(Vec3 a, Vec3 b) {
   const Vec3 d = a - b;

@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "base/det_math.h"
+#include "base/index.h"
 
 namespace liftarm::guide {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 
 constexpr int kMaxSweeps = 30;
@@ -17,10 +19,6 @@ constexpr double kSame = 1e-9;
 constexpr double kFirstTemperature = 1.5;
 constexpr double kLastTemperature = 0.1;
 constexpr double kCooling = 0.75;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int axesAt(const Junction& junction, const Orientation& orientation) {
   unsigned seen = 0;

@@ -62,15 +62,10 @@ Mat3 toOurs(const Mat3& rotation) {
   return turned;
 }
 
-double determinant(const Mat3& a) {
-  return dot(Vec3{a.m[0], a.m[1], a.m[2]},
-             cross(Vec3{a.m[3], a.m[4], a.m[5]}, Vec3{a.m[6], a.m[7], a.m[8]}));
-}
-
 //! A part that is its own mirror image may be placed as one: it is the same as turned.
 lattice::Pose proper(const parts::Part& part, const lattice::Pose& pose) {
   const std::optional<MirrorPlane> plane =
-      determinant(pose.rotation) < 0.0 ? mirrorPlane(part) : std::nullopt;
+      lattice::determinant(pose.rotation) < 0.0 ? mirrorPlane(part) : std::nullopt;
   if (!plane) {
     return pose;
   }

@@ -12,7 +12,7 @@ namespace {
 
 //! Share of zero bytes at even or odd places from which text is taken for UTF-16.
 constexpr double kWide = 0.3;
-constexpr std::size_t kPeek = 512;
+constexpr std::size_t kFirstBytes = 512;
 constexpr char32_t kUnknown = 0xFFFD;
 
 //! What Windows has between 0x80 and 0x9F.
@@ -53,7 +53,7 @@ std::optional<std::size_t> highFirst(std::string_view bytes) {
   if (bytes.size() >= 2 && byteAt(bytes, 0) == 0xFE && byteAt(bytes, 1) == 0xFF) {
     return 1;
   }
-  const std::size_t size = std::min(kPeek, bytes.size());
+  const std::size_t size = std::min(kFirstBytes, bytes.size());
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < size; ++i) {
     zeros[i % 2] += bytes[i] == '\0' ? 1 : 0;

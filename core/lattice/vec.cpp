@@ -40,6 +40,13 @@ Mat3 transposed(const Mat3& a) {
   return Mat3{{a.m[0], a.m[3], a.m[6], a.m[1], a.m[4], a.m[7], a.m[2], a.m[5], a.m[8]}};
 }
 
+double determinant(const Mat3& a) {
+  const Vec3 x{a.m[0], a.m[3], a.m[6]};
+  const Vec3 y{a.m[1], a.m[4], a.m[7]};
+  const Vec3 z{a.m[2], a.m[5], a.m[8]};
+  return dot(cross(x, y), z);
+}
+
 Mat3 fromColumns(Vec3 x, Vec3 y, Vec3 z) {
   return Mat3{{x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z}};
 }

@@ -5,6 +5,8 @@
 
 namespace liftarm::lattice {
 
+inline constexpr double kMillimetresPerModule = 8.0;
+
 //! \brief A principal axis. Positions and lengths are in modules (8 mm), Z is up, right-handed.
 enum class Axis { kX = 0, kY = 1, kZ = 2 };
 
@@ -60,6 +62,11 @@ inline Vec3 unitVector(Axis axis) {
   return v;
 }
 
+//! \brief The principal axis that a unit vector runs along, either way.
+inline Axis mainAxis(Vec3 unit) {
+  return axisFromIndex(std::abs(unit.x) > 0.9 ? 0 : (std::abs(unit.y) > 0.9 ? 1 : 2));
+}
+
 //! \brief Three whole coordinates on the lattice of one module.
 struct Cell {
   int x = 0;
@@ -102,6 +109,9 @@ struct Mat3 {
 
 Mat3 transposed(const Mat3& a);
 
+//! \brief Of a map that keeps lengths: 1 if it turns, -1 if it mirrors, but for rounding.
+double determinant(const Mat3& a);
+
 //! \brief The rotation whose columns are x, y and z. \pre orthonormal and right-handed.
 Mat3 fromColumns(Vec3 x, Vec3 y, Vec3 z);
 
@@ -112,6 +122,11 @@ struct Pose {
 
   [[nodiscard]] Vec3 apply(Vec3 p) const { return rotation * p + position; }
 };
+
+//! \brief First the inner placement, then the outer one.
+inline Pose after(const Pose& outer, const Pose& inner) {
+  return {outer.apply(inner.position), outer.rotation * inner.rotation};
+}
 
 //! \brief The 24 rotations that map the lattice onto itself, in a fixed order, identity first.
 const std::array<Mat3, 24>& latticeRotations();

@@ -6,25 +6,20 @@
 #include <optional>
 #include <tuple>
 
+#include "base/index.h"
 #include "layout/part_list.h"
 
 namespace liftarm::layout {
 
 namespace {
 
+using base::at;
+
 // As those of mechanisms: a little for what sits in no beam, and for what does.
 constexpr double kBodyCost = 0.15;
 constexpr double kHeadCost = 0.02;
 constexpr double kOnLattice = 1e-3;
 constexpr std::size_t kFewestSlots = 3;  // shorter lines are bridged by connectors
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-bool hasBit(std::uint64_t bits, int index) {
-  return index >= -kAxleReach && (bits >> axleBit(index) & 1U) != 0U;
-}
 
 std::optional<AxlePart> axlePartOf(const parts::Part& part) {
   if (part.partClass != parts::PartClass::kAxle || part.features.size() != 1 ||
@@ -54,8 +49,8 @@ std::optional<AxlePart> axlePartOf(const parts::Part& part) {
 std::uint64_t innerBushes(std::uint64_t seats, int first, int last) {
   std::uint64_t bushes = 0;
   for (int i = first; i < last; ++i) {
-    if (hasBit(seats, i) != hasBit(seats, i + 1)) {
-      bushes |= std::uint64_t{1} << axleBit(hasBit(seats, i) ? i + 1 : i);
+    if (hasAxleBit(seats, i) != hasAxleBit(seats, i + 1)) {
+      bushes |= std::uint64_t{1} << axleBit(hasAxleBit(seats, i) ? i + 1 : i);
     }
   }
   return bushes;
@@ -109,8 +104,8 @@ Axle layAxle(const AxleSite& site, const std::vector<int>& parts) {
   int first = site.edges + kAxleReach + 1;
   int last = -kAxleReach - 1;
   for (int i = -kAxleReach; i <= site.edges + kAxleReach; ++i) {
-    first = hasBit(site.seats, i) ? std::min(first, i) : first;
-    last = hasBit(site.seats, i) ? i : last;
+    first = hasAxleBit(site.seats, i) ? std::min(first, i) : first;
+    last = hasAxleBit(site.seats, i) ? i : last;
   }
   Axle best;
   auto least = std::tuple(0, 0, 0.0);
@@ -147,12 +142,12 @@ std::uint64_t heldOn(const Axle& axle, std::uint64_t seats) {
   };
   std::uint64_t held = 0;
   for (int i = axle.start; i <= axle.last(); ++i) {
-    bool both = hasBit(seats, i) && !axle.hasBush(i);
+    bool both = hasAxleBit(seats, i) && !axle.hasBush(i);
     for (const int side : {-1, 1}) {
       int end = i;
       while (both && !stops(end, side)) {
         end += side;
-        both = end >= axle.start && end <= axle.last() && hasBit(seats, end);
+        both = end >= axle.start && end <= axle.last() && hasAxleBit(seats, end);
       }
     }
     held |= both ? std::uint64_t{1} << axleBit(i) : 0U;

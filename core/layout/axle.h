@@ -83,6 +83,11 @@ constexpr unsigned axleBit(int index) {
   return static_cast<unsigned>(index + kAxleReach);
 }
 
+//! \brief Whether the bit of a node index is set; none is beyond the reach.
+constexpr bool hasAxleBit(std::uint64_t bits, int index) {
+  return index >= -kAxleReach && (bits >> axleBit(index) & 1U) != 0U;
+}
+
 //! \brief The axles among some parts: nothing but one cross from end to end, and a stop at most;
 //! three slots or more.
 std::vector<AxlePart> axlePartsOf(const std::vector<parts::Part>& parts);

@@ -2,17 +2,16 @@
 
 #include <cmath>
 
+#include "base/index.h"
+
 namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kOnLine = 1e-3;
-
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
 
 //! Whether the axle of a run goes through a hole of a beam.
 bool passes(const guide::GuidingGraph& graph,

@@ -14,16 +14,11 @@ using lattice::Vec3;
 using parts::Feature;
 using parts::FeatureKind;
 
-constexpr double kSame = 1e-3;       // modules; the catalogue's facts are rounded to 1e-5
 constexpr double kSameAngle = 1e-4;  // of cosines
-
-bool same(Vec3 a, Vec3 b) {
-  return lattice::length(a - b) < kSame;
-}
 
 bool hasHole(const parts::Part& part, Vec3 at, FeatureKind kind) {
   return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-    return feature.kind == kind && same(feature.center, at);
+    return feature.kind == kind && isSamePlace(feature.center, at);
   });
 }
 
@@ -31,7 +26,8 @@ bool isPlain(const parts::Part& part) {
   return part.partClass == parts::PartClass::kBeam && part.thickness == 1.0 &&
          part.stretches.size() == 2 &&
          std::all_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-           return std::abs(lattice::dot(feature.axis, part.features.front().axis)) > 1.0 - kSame;
+           return std::abs(lattice::dot(feature.axis, part.features.front().axis)) >
+                  1.0 - kSamePlace;
          });
 }
 
@@ -40,10 +36,11 @@ std::optional<BentArm> armFrom(const parts::Part& part, const parts::Stretch& st
   const double length = lattice::length(stretch.to - stretch.from);
   const Vec3 along = (1.0 / length) * (stretch.to - stretch.from);
   const double place = lattice::dot(hole - stretch.from, along);
-  if (place < -kSame || place > length + kSame || !same(stretch.from + place * along, hole)) {
+  if (place < -kSamePlace || place > length + kSamePlace ||
+      !isSamePlace(stretch.from + place * along, hole)) {
     return std::nullopt;
   }
-  const bool forward = place < 0.5 * length + kSame;
+  const bool forward = place < 0.5 * length + kSamePlace;
   BentArm arm;
   arm.direction = forward ? along : -along;
   arm.holes = static_cast<int>(std::lround(length)) + 1;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/index.h"
+
 namespace liftarm::layout {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 int rootOf(std::vector<int>* parents, int i) {
   while ((*parents)[at(i)] != i) {

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/index.h"
+
 namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Cell;
 using mechanisms::MechanismCell;
 using mechanisms::OrientedMechanism;
 using mechanisms::TableEntry;
 
-constexpr double kSame = 1e-9;
+constexpr double kSameCost = 1e-9;
 constexpr std::size_t kMaxCandidates = 160;
 constexpr int kMaxNodes = 400;
 constexpr int kNearRadius = 2;
@@ -24,10 +27,6 @@ constexpr std::uint8_t kEmpty = 0;
 constexpr std::uint8_t kBlocked = 1;
 constexpr std::uint8_t kStranger = 4;
 constexpr std::uint8_t kTerminal = 8;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool nearCentre(Cell c, int radius) {
   return c.x * c.x + c.y * c.y + c.z * c.z <= kReachSquared && c.x >= -radius && c.x <= radius &&
@@ -331,7 +330,7 @@ void ConnectionSearch::descend(std::size_t depth, std::uint32_t grown, int left,
     }
     const int rest = left - std::popcount(fresh);
     // Each join that is left costs no less than those of the cheapest candidate.
-    const double least = cost + candidate.cost + rest * leastValue_ - kSame;
+    const double least = cost + candidate.cost + rest * leastValue_ - kSameCost;
     if (best_.failed == 0 && least >= best_.cost) {
       continue;
     }

@@ -14,16 +14,11 @@ using lattice::Vec3;
 using parts::Feature;
 using parts::FeatureKind;
 
-constexpr double kSame = 1e-3;  // modules; the catalogue's facts are rounded to 1e-5
 constexpr std::size_t kFewestBars = 3;
 constexpr int kMostNodes = 32;
 
-bool same(Vec3 a, Vec3 b) {
-  return lattice::length(a - b) < kSame;
-}
-
 bool parallel(Vec3 a, Vec3 b) {
-  return std::abs(lattice::dot(a, b)) > 1.0 - kSame;
+  return std::abs(lattice::dot(a, b)) > 1.0 - kSamePlace;
 }
 
 //! Each bar of the solid must be one that covers, or something would stand where no run is.
@@ -32,8 +27,10 @@ bool hasOnlyBars(const parts::Part& part) {
          std::all_of(part.solid.begin(), part.solid.end(), [&](const parts::Prism& prism) {
            return std::any_of(
                part.stretches.begin(), part.stretches.end(), [&](const parts::Stretch& stretch) {
-                 return (same(prism.from, stretch.from) && same(prism.to, stretch.to)) ||
-                        (same(prism.from, stretch.to) && same(prism.to, stretch.from));
+                 return (isSamePlace(prism.from, stretch.from) &&
+                         isSamePlace(prism.to, stretch.to)) ||
+                        (isSamePlace(prism.from, stretch.to) &&
+                         isSamePlace(prism.to, stretch.from));
                });
          });
 }
@@ -45,14 +42,14 @@ std::optional<FrameBar> barOf(const parts::Part& part, const parts::Stretch& str
                (1.0 / length) * (stretch.to - stretch.from),
                static_cast<int>(std::lround(length)) + 1,
                0};
-  if (bar.nodes > kMostNodes || !(std::abs(lattice::dot(bar.direction, normal)) < kSame)) {
+  if (bar.nodes > kMostNodes || !(std::abs(lattice::dot(bar.direction, normal)) < kSamePlace)) {
     return std::nullopt;
   }
   for (int i = 0; i < bar.nodes; ++i) {
     const Vec3 at = bar.from + static_cast<double>(i) * bar.direction;
     const auto hole =
         std::find_if(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-          return feature.kind == FeatureKind::kPinHole && same(feature.center, at);
+          return feature.kind == FeatureKind::kPinHole && isSamePlace(feature.center, at);
         });
     if (hole == part.features.end() || parallel(hole->axis, bar.direction)) {
       return std::nullopt;
@@ -71,7 +68,7 @@ std::vector<FrameCrossing> crossingsOf(const std::vector<FrameBar>& bars) {
         const Vec3 offset = at - bars[b].from;
         const auto j = static_cast<int>(std::lround(lattice::dot(offset, bars[b].direction)));
         if (j >= 0 && j < bars[b].nodes &&
-            same(offset, static_cast<double>(j) * bars[b].direction)) {
+            isSamePlace(offset, static_cast<double>(j) * bars[b].direction)) {
           crossings.push_back({static_cast<int>(a), i, static_cast<int>(b), j});
         }
       }
@@ -91,7 +88,7 @@ std::optional<FrameBeam> frameFrom(const parts::Part& part) {
     const std::optional<FrameBar> bar = barOf(part, stretch, part.solid.front().axis);
     const bool square =
         bar && (frame.bars.empty() || parallel(bar->direction, frame.bars.front().direction) ||
-                std::abs(lattice::dot(bar->direction, frame.bars.front().direction)) < kSame);
+                std::abs(lattice::dot(bar->direction, frame.bars.front().direction)) < kSamePlace);
     if (!square) {
       return std::nullopt;
     }

@@ -9,22 +9,20 @@
 #include <tuple>
 
 #include "base/check.h"
+#include "base/index.h"
 #include "layout/frame_beam.h"
 
 namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 
-constexpr double kSame = 1e-3;    // modules
+constexpr double kOnNode = 1e-3;  // modules
 constexpr double kGrid = 1000.0;  // lines are told apart to a thousandth of a module
 constexpr int kLeastCovered = 1;  // edges of its run, for each arm
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Principal axis along which a unit vector lies, or -1.
 int principalIndex(Vec3 direction) {
@@ -162,7 +160,7 @@ class SiteFinder {
       const int last = start + bar.nodes - 1;
       const int past = candidate.exact ? 0 : 1;
       const int covered = std::min(last, candidate.edgeCount()) - std::max(start, 0);
-      if (!(std::abs(place - index) < kSame) || !mayHave(candidate, axis) || start < -past ||
+      if (!(std::abs(place - index) < kOnNode) || !mayHave(candidate, axis) || start < -past ||
           last > candidate.edgeCount() + past || covered <= most) {
         continue;
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "layout/axle.h"
 #include "layout/bent_beam.h"
 #include "layout/frame_beam.h"
@@ -13,15 +14,12 @@ namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 
 constexpr double kParallel = 1.0 - 1e-6;
 constexpr int kPast = 1;  // modules that a beam may stick out past its run
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 Vec3 directionOf(const sketch::Line& line) {
   return (1.0 / lattice::length(line.to - line.from)) * (line.to - line.from);

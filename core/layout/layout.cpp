@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/check.h"
+#include "base/index.h"
 #include "layout/axle_collisions.h"
 #include "layout/stack.h"
 #include "mechanisms/mechanism_table.h"
@@ -12,15 +13,12 @@ namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Cell;
 
 // What nothing but an axle holds has not even a pin's friction.
 constexpr int kLooseHinges = 2;
-
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
 
 }  // namespace
 

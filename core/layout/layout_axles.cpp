@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/index.h"
 #include "layout/axle_collisions.h"
 #include "layout/layout.h"
 
@@ -11,15 +12,8 @@ namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Cell;
-
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
-
-bool hasBit(std::uint64_t bits, int index) {
-  return index >= -kAxleReach && (bits >> axleBit(index) & 1U) != 0U;
-}
 
 //! Node index of a run in the junction, -1 when it does not pass there.
 int indexAt(const guide::Junction& junction, int run) {
@@ -122,7 +116,7 @@ void Layout::fillAxles(int junction) {
       if (!inBox(cell)) {
         continue;
       }
-      if (hasBit(seats, i) && !cover.axle.hasBush(i)) {
+      if (hasAxleBit(seats, i) && !cover.axle.hasBush(i)) {
         local_.useHole(boxIndex(cell));
       } else {
         local_.block(boxIndex(cell));
@@ -157,7 +151,7 @@ void Layout::joinOnAxles(int junction) {
       const Beam& beam = cover.beams[at(b)];
       const int index = indexAt(guideJunction, other);
       if (beam.hasHoleAt(index) &&
-          hasBit(held, indexAt(guideJunction, run) + along.sign * beam.layer)) {
+          hasAxleBit(held, indexAt(guideJunction, run) + along.sign * beam.layer)) {
         const int group = local_.isJoint ? local_.group[u] : 0;
         groups.insert(group);
         bodies.emplace(group, local_.cluster[u]);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/index.h"
 #include "layout/layout.h"
 
 // What frames are to a junction: bodies with holes on two axes, several of whose bars may be near.
@@ -8,12 +9,9 @@ namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Cell;
-
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
 
 }  // namespace
 

@@ -1,19 +1,17 @@
 #include <algorithm>
 
+#include "base/index.h"
 #include "layout/layout.h"
 
 namespace liftarm::layout {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Cell;
 using mechanisms::MechanismCell;
 using mechanisms::OrientedMechanism;
-
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
 
 //! Where a beam of a cover is pinned to the one before it, and to the one after it.
 struct PinnedNodes {

@@ -1,17 +1,16 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/index.h"
 #include "layout/layout.h"
 
 namespace liftarm::layout {
 
 namespace {
 
-constexpr int kFewFailures = 4;  // with more, other moves are worth more than giveWay()
+using base::at;
 
-std::size_t at(int id) {
-  return static_cast<std::size_t>(id);
-}
+constexpr int kFewFailures = 4;  // with more, other moves are worth more than giveWay()
 
 }  // namespace
 

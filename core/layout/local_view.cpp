@@ -16,10 +16,10 @@ using lattice::Axis;
 using lattice::Cell;
 using lattice::Vec3;
 
-constexpr double kOnLattice = 2e-3;
+constexpr double kNearLattice = 2e-3;
 
 std::optional<Cell> wholeCell(Vec3 p) {
-  return lattice::wholeCell(p, kOnLattice);
+  return lattice::wholeCell(p, kNearLattice);
 }
 
 //! Range of node indices in which the run's middle line is within `reach` of the origin on all

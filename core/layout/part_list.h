@@ -5,7 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "lattice/vec.h"
+
 namespace liftarm::layout {
+
+//! The catalogue's facts are rounded to 1e-5: what is nearer than this is the same, modules.
+inline constexpr double kSamePlace = 1e-3;
+
+inline bool isSamePlace(lattice::Vec3 a, lattice::Vec3 b) {
+  return lattice::length(a - b) < kSamePlace;
+}
 
 //! \brief Index of the entry whose `part` is this LDraw number, or -1.
 template <typename Entry>

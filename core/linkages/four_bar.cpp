@@ -3,19 +3,18 @@
 #include <algorithm>
 
 #include "base/det_math.h"
+#include "base/index.h"
 
 namespace liftarm::linkages {
 
 namespace {
 
+using base::at;
+
 constexpr double kFullTurn = 2.0 * 3.14159265358979323846;
 constexpr double kBeamWide = 0.995;  // modules between two beams that just pass
 constexpr int kClearanceTurns = 90;
 constexpr std::array<int, 8> kBeamEdges{1, 2, 4, 6, 8, 10, 12, 14};
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int edgesOf(const CouplerBeam& beam) {
   return beam.first + beam.second;

@@ -19,7 +19,6 @@ using nlohmann::ordered_json;
 
 constexpr double kFlat = 1e-6;
 constexpr double kShortest = 1.0;  // modules
-constexpr double kMillimetres = 8.0;
 constexpr int kPoses = 48;
 constexpr int kDrawnPoints = 96;
 
@@ -177,8 +176,8 @@ ordered_json pointJson(Point p) {
 ordered_json answerJson(const LinkageAnswer& answer, const PathPlane& plane) {
   const FourBar& bar = answer.bar;
   ordered_json found;
-  found["error"] = shortened(kMillimetres * answer.match.error);
-  found["largest"] = shortened(kMillimetres * answer.match.largest);
+  found["error"] = shortened(lattice::kMillimetresPerModule * answer.match.error);
+  found["largest"] = shortened(lattice::kMillimetresPerModule * answer.match.largest);
   found["transmission"] = shortened(answer.transmission);
   found["links"] = {bar.crank, shortened(bar.coupler.length), bar.rocker, bar.frame};
   for (const Point pivot : pivotsOf(answer)) {

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "base/index.h"
+
 namespace liftarm::linkages {
 
 namespace {
+
+using base::at;
 
 constexpr int kDrawnTurns = 72;
 constexpr double kSame = 1e-6;
@@ -21,10 +25,6 @@ struct DrawnLine {
   Point from;
   Point to;
 };
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Where a hole of the coupler is, in the linkage's own plane.
 Point holeAt(const FourBar& bar, const FourBarPose& pose, int hole) {

@@ -6,10 +6,14 @@
 #include <tuple>
 
 #include "base/det_math.h"
+#include "base/index.h"
+#include "lattice/vec.h"
 
 namespace liftarm::linkages {
 
 namespace {
+
+using base::at;
 
 constexpr int kTurns = 72;                  // of the crank, for a curve
 constexpr int kFineTurns = 120;             // where it is compared exactly
@@ -24,14 +28,9 @@ constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kAboveGround = 1.0;  // modules from a walker's pivot to its sole
 
 // What a builder weighs beside the error, in millimetres of error.
-constexpr double kMillimetres = 8.0;
 constexpr double kOverhangWorth = 0.02;       // each beam that sticks out
 constexpr double kTransmissionWorth = 0.002;  // each degree that is missing of 90
 constexpr double kSizeWorth = 0.004;          // each module of links
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<Point> curveOf(const FourBar& bar, const std::vector<Point>& turns) {
   std::vector<Point> curve;
@@ -79,7 +78,7 @@ double scoreOf(const LinkageAnswer& answer) {
   const FourBar& bar = answer.bar;
   const double size =
       bar.crank + bar.rocker + bar.frame + bar.coupler.beam.first + bar.coupler.beam.second;
-  return kMillimetres * answer.match.error + kOverhangWorth * oddBeams(bar) +
+  return lattice::kMillimetresPerModule * answer.match.error + kOverhangWorth * oddBeams(bar) +
          kTransmissionWorth * (90.0 - answer.transmission) + kSizeWorth * size;
 }
 

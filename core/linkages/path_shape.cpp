@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/index.h"
 #include "linkages/four_bar.h"
 
 namespace liftarm::linkages {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 }  // namespace
 

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/index.h"
 #include "model/connections.h"
 
 namespace liftarm::model {
 
 namespace {
 
+using base::at;
 using lattice::Mat3;
 using lattice::Vec3;
 using parts::Feature;
@@ -25,10 +27,6 @@ constexpr int kMaxSteps = 4;                      // of Gauss and Newton: each s
 constexpr double kSmallEnough = 1e-26;            // of the squared gradient
 constexpr double kLargestMove = 2 * kRoundedGap;  // modules, and radians times kArm
 constexpr double kUnitsPerModule = 20.0;          // LDraw's, whole on the lattice
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! One equation: a male part's and a female part's six unknowns (shift, turn), and what is off.
 struct Row {

@@ -6,18 +6,17 @@
 #include <cstddef>
 #include <tuple>
 
+#include "base/index.h"
+
 namespace liftarm::objective {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 // Coordinates are modules from the middle of the lines, rounded to 1e-9 at worst.
 constexpr double kZero = 1e-7;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -6,10 +6,13 @@
 #include <cstddef>
 #include <numeric>
 
+#include "base/index.h"
+
 namespace liftarm::objective {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 using parts::FeatureKind;
@@ -17,15 +20,6 @@ using parts::FeatureKind;
 constexpr double kSamePlace = 1e-3;
 // Beams on one joint's pin are no farther from it than this along its axis.
 constexpr double kPinReach = 3.5;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-Axis mainAxis(Vec3 v) {
-  const int k = std::abs(v.x) > 0.9 ? 0 : (std::abs(v.y) > 0.9 ? 1 : 2);
-  return lattice::axisFromIndex(k);
-}
 
 //! A head or a hole of a mechanism's part, in the mechanism's frame.
 struct Slot {
@@ -46,7 +40,7 @@ std::vector<Slot> slotsOf(const mechanisms::Mechanism& shape) {
       for (const Vec3& slot : feature.slots) {
         slots.push_back({static_cast<int>(p),
                          feature.kind,
-                         mainAxis(shape.parts[p].pose.rotation * feature.axis),
+                         lattice::mainAxis(shape.parts[p].pose.rotation * feature.axis),
                          shape.parts[p].pose.apply(slot)});
       }
     }
@@ -188,7 +182,7 @@ void Mobility::addBeams(const std::vector<layout::Cover>& covers) {
 //! Beams on one axle turn against each other, as on a pin. \pre All beams are there.
 void Mobility::addAxle(int r, const layout::Cover& cover) {
   const guide::GuideRun& run = problem_->graph.runs[at(r)];
-  const Axis axis = mainAxis(run.direction);
+  const Axis axis = lattice::mainAxis(run.direction);
   const int axle = graph_.addBody(false);
   for (int i = cover.axle.start; i <= cover.axle.last(); ++i) {
     const Vec3 place = layout::holePosition(problem_->graph, run, cover.axis, i, 0);

@@ -7,38 +7,32 @@
 #include <numeric>
 #include <set>
 
+#include "base/index.h"
+
 namespace liftarm::objective {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
 using parts::FeatureKind;
 
-constexpr double kSamePlace = 1e-2;  // modules; holes are a module apart
+constexpr double kMeets = 1e-2;  // modules; holes are a module apart
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-bool same(Vec3 a, Vec3 b) {
+bool meets(Vec3 a, Vec3 b) {
   const Vec3 d = a - b;
-  return std::abs(d.x) < kSamePlace && std::abs(d.y) < kSamePlace && std::abs(d.z) < kSamePlace;
+  return std::abs(d.x) < kMeets && std::abs(d.y) < kMeets && std::abs(d.z) < kMeets;
 }
 
-std::array<int, 3> bucketOf(Vec3 p) {
+std::array<int, 3> moduleOf(Vec3 p) {
   return {static_cast<int>(std::floor(p.x + 0.5)),
           static_cast<int>(std::floor(p.y + 0.5)),
           static_cast<int>(std::floor(p.z + 0.5))};
 }
 
-Axis mainAxis(Vec3 v) {
-  const int k = std::abs(v.x) > 0.9 ? 0 : (std::abs(v.y) > 0.9 ? 1 : 2);
-  return lattice::axisFromIndex(k);
-}
-
 //! A hole or a head of some body in its place; all are along principal axes.
-struct Slot {
+struct BodySlot {
   int body = -1;
   FeatureKind kind = FeatureKind::kPinHole;
   Axis axis = Axis::kX;
@@ -48,19 +42,19 @@ struct Slot {
 //! Slots by place.
 class SlotIndex {
  public:
-  void add(const Slot& slot) { buckets_[bucketOf(slot.at)].push_back(slot); }
+  void add(const BodySlot& slot) { buckets_[moduleOf(slot.at)].push_back(slot); }
 
-  [[nodiscard]] std::vector<Slot> find(Vec3 p, Axis axis) const {
-    std::vector<Slot> found;
-    const std::array<int, 3> home = bucketOf(p);
+  [[nodiscard]] std::vector<BodySlot> find(Vec3 p, Axis axis) const {
+    std::vector<BodySlot> found;
+    const std::array<int, 3> home = moduleOf(p);
     for (int i = 0; i < 27; ++i) {
       const auto bucket =
           buckets_.find({home[0] + i % 3 - 1, home[1] + i / 3 % 3 - 1, home[2] + i / 9 - 1});
       if (bucket == buckets_.end()) {
         continue;
       }
-      for (const Slot& slot : bucket->second) {
-        if (slot.axis == axis && same(slot.at, p)) {
+      for (const BodySlot& slot : bucket->second) {
+        if (slot.axis == axis && meets(slot.at, p)) {
           found.push_back(slot);
         }
       }
@@ -69,7 +63,7 @@ class SlotIndex {
   }
 
  private:
-  std::map<std::array<int, 3>, std::vector<Slot>> buckets_;
+  std::map<std::array<int, 3>, std::vector<BodySlot>> buckets_;
 };
 
 //! Two bodies that turn against each other about a line.
@@ -102,7 +96,7 @@ class Bodies {
     int line = 0;
     const auto count = static_cast<int>(lines_.size());
     while (line < count &&
-           !(lines_[at(line)].first == axis && same(lines_[at(line)].second, through))) {
+           !(lines_[at(line)].first == axis && meets(lines_[at(line)].second, through))) {
       ++line;
     }
     if (line == count) {
@@ -187,10 +181,10 @@ class Measure {
   void addAxles(const std::vector<layout::Cover>& covers) {
     for (std::size_t r = 0; r < covers.size(); ++r) {
       const guide::GuideRun& run = graph_.runs[r];
-      std::vector<Slot> onAxle;
+      std::vector<BodySlot> onAxle;
       for (int i = covers[r].axle.start; covers[r].axle.used() && i <= covers[r].axle.last(); ++i) {
         const Vec3 place = layout::holePosition(graph_, run, covers[r].axis, i, 0);
-        for (const Slot& hole : holes_.find(place, mainAxis(run.direction))) {
+        for (const BodySlot& hole : holes_.find(place, lattice::mainAxis(run.direction))) {
           onAxle.push_back(hole);
         }
       }
@@ -203,7 +197,7 @@ class Measure {
     for (const mechanisms::MechanismPart& member : shape.parts) {
       const parts::Part* part = parts::Catalogue::builtIn().find(member.id);
       bodies.push_back(part == nullptr || isPlainPin(*part) ? -1 : bodies_.add(false));
-      forSlots(member, origin, bodies.back(), [&](const Slot& slot) {
+      forSlots(member, origin, bodies.back(), [&](const BodySlot& slot) {
         if (!parts::isMale(slot.kind)) {
           holes_.add(slot);
         }
@@ -231,10 +225,10 @@ class Measure {
     }
     for (const parts::Feature& feature : part->features) {
       for (const Vec3& slot : feature.slots) {
-        visit(Slot{body,
-                   feature.kind,
-                   mainAxis(member.pose.rotation * feature.axis),
-                   origin + member.pose.apply(slot)});
+        visit(BodySlot{body,
+                       feature.kind,
+                       lattice::mainAxis(member.pose.rotation * feature.axis),
+                       origin + member.pose.apply(slot)});
       }
     }
   }
@@ -253,12 +247,12 @@ class Measure {
   //! Joins all bodies whose holes one part's heads fill: to the part, or to each other when it is a
   //! pin.
   void addHeads(const mechanisms::MechanismPart& member, Vec3 origin, int body) {
-    std::vector<Slot> onPin;
-    forSlots(member, origin, body, [&](const Slot& head) {
+    std::vector<BodySlot> onPin;
+    forSlots(member, origin, body, [&](const BodySlot& head) {
       if (!parts::isMale(head.kind)) {
         return;
       }
-      for (const Slot& hole : holes_.find(head.at, head.axis)) {
+      for (const BodySlot& hole : holes_.find(head.at, head.axis)) {
         if (hole.body == body) {
           continue;
         }
@@ -274,7 +268,7 @@ class Measure {
     hingeAll(onPin);
   }
 
-  void hingeAll(const std::vector<Slot>& slots) {
+  void hingeAll(const std::vector<BodySlot>& slots) {
     for (std::size_t i = 1; i < slots.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         bodies_.addHinge(slots[i].body, slots[j].body, slots[i].axis, slots[i].at);

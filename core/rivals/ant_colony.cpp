@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/index.h"
+
 namespace liftarm::rivals {
 
 namespace {
+
+using base::at;
 
 constexpr double kStay = 0.95;      // of the pheromone, each generation
 constexpr double kLeast = 0.01;     // pheromone against the most there may be
 constexpr double kLayerCost = 2.0;  // exponent base is 1 + cost
 constexpr double kOffLine = 0.05;
 constexpr std::size_t kLayers = layout::kLayerCount;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool coversEdge(const search::PaperPlacement& p, std::pair<int, int> edge) {
   const auto within = [&](int run, int start, int holes) {

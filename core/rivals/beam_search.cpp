@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/index.h"
+
 namespace liftarm::rivals {
 
 namespace {
 
+using base::at;
+
 constexpr double kFault = 20.0;   // against a beam
 constexpr double kHole = 0.02;    // so that shorter beams are taken where they do
 constexpr double kNoise = 0.005;  // so that seeds differ
-constexpr double kOffLine = 0.1;
+constexpr double kOffLineWorth = 0.1;
 constexpr std::size_t kLayersTried = 2;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! The layers with the least costs, best first.
 std::vector<int> bestLayers(const std::vector<double>& costs) {
   std::vector<std::pair<double, int>> order;
   for (int layer = -guide::kMaxLayer; layer <= guide::kMaxLayer; ++layer) {
-    const double off = kOffLine * static_cast<double>(layer < 0 ? -layer : layer);
+    const double off = kOffLineWorth * static_cast<double>(layer < 0 ? -layer : layer);
     order.emplace_back(costs[at(layer + guide::kMaxLayer)] + off, layer);
   }
   std::sort(order.begin(), order.end());

@@ -7,12 +7,12 @@ namespace liftarm::rivals {
 
 namespace {
 
-constexpr double kOffLine = 0.1;  // of a layer away from the line, against a gap
+constexpr double kOffLineCost = 0.1;  // of a layer away from the line, against a gap
 
 int cheapestLayer(std::vector<double> costs) {
   for (int layer = -guide::kMaxLayer; layer <= guide::kMaxLayer; ++layer) {
     costs[static_cast<std::size_t>(layer + guide::kMaxLayer)] +=
-        kOffLine * static_cast<double>(layer < 0 ? -layer : layer);
+        kOffLineCost * static_cast<double>(layer < 0 ? -layer : layer);
   }
   return static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin()) -
          guide::kMaxLayer;

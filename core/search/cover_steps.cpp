@@ -13,10 +13,6 @@ using base::at;
 using layout::Beam;
 using layout::Cover;
 
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 //! The beams of a run without the arms of bent beams whose other arm has gone: where a symmetry
 //! binds runs, that of the image goes with it.
 std::vector<Beam> withoutLoneArms(const SearchState& state, int run) {
@@ -118,7 +114,7 @@ void takeOff(SearchState& state, int run, const Beam& arm, std::vector<int>* bar
     if (found != cover.beams.end()) {
       state.layout().setCover(other, withoutArm(cover, *found));
     }
-    if (other != run && !contains(*bare, other)) {
+    if (other != run && !base::contains(*bare, other)) {
       bare->push_back(other);
     }
   };

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "search/axle_sites.h"
 
 namespace liftarm::search {
 
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+using base::at;
 
 //! Some edges of a run, by their indices: first .. last - 1, which may lie past its ends.
 struct Stretch {

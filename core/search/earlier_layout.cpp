@@ -6,20 +6,19 @@
 #include <cstdint>
 #include <map>
 
+#include "base/index.h"
 #include "layout/bent_beam.h"
 
 namespace liftarm::search {
 
 namespace {
 
+using base::at;
+
 constexpr double kGrid = 1000.0;  // places are told apart to a thousandth of a module
 constexpr double kFarthest = 1e6;
 
 using Ends = std::array<std::int64_t, 6>;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::int64_t gridded(double value) {
   // Written so that what is not a number counts as far away, too.
@@ -58,21 +57,17 @@ bool leavesNoEdge(const guide::GuideRun& run, const layout::Cover& cover) {
   return covered >= run.edgeCount();
 }
 
-bool contains(const std::vector<int>& list, int value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
 bool isFrameBar(const layout::Beam& beam) {
   return beam.mate < 0 && beam.form >= 0;
 }
 
 bool isAllowed(const layout::Beam& beam, const Allowed& allowed) {
   if (isFrameBar(beam)) {
-    return beam.tail == 0 && contains(allowed.frames, beam.form);
+    return beam.tail == 0 && base::contains(allowed.frames, beam.form);
   }
   const bool straight = beam.mate < 0 && beam.form < 0 && beam.tail == 0;
-  return straight ? contains(allowed.lengths, beam.holes)
-                  : beam.mate >= 0 && contains(allowed.bends, beam.form) && beam.holes >= 1 &&
+  return straight ? base::contains(allowed.lengths, beam.holes)
+                  : beam.mate >= 0 && base::contains(allowed.bends, beam.form) && beam.holes >= 1 &&
                         std::abs(beam.tail) <= 1;
 }
 

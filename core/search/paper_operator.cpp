@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "layout/stack.h"
 
 namespace liftarm::search {
 
 namespace {
 
+using base::at;
 using guide::kMaxLayer;
 using layout::kLayerCount;
 
@@ -16,11 +18,7 @@ constexpr double kOccupied = 2.0;   // an occupied node against a gap
 constexpr double kForbidden = 1e6;  // off an exact line
 constexpr double kOutside = 100.0;  // a hole below the ground or in a keep-out box
 constexpr double kOffLine = 0.1;    // keeps stacks from drifting away
-constexpr int kPicks = 64;          // tries to find an edge that can be covered
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr int kTries = 64;          // tries to find an edge that can be covered
 
 }  // namespace
 
@@ -124,7 +122,7 @@ void PaperOperator::coverAgain(PaperLayout* beams) {
 }
 
 void PaperOperator::modify(PaperLayout* beams, double turning) {
-  for (int pick = 0; pick < kPicks; ++pick) {
+  for (int pick = 0; pick < kTries; ++pick) {
     const auto [run, edge] = edges_[rng_->below(static_cast<std::uint32_t>(edges_.size()))];
     if (!beams->coverable(run, edge)) {
       continue;

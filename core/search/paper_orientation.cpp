@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "base/det_math.h"
+#include "base/index.h"
 
 namespace liftarm::search {
 
 namespace {
 
+using base::at;
 using guide::GuidingGraph;
 using guide::Orientation;
 using lattice::Axis;
@@ -19,10 +21,6 @@ constexpr double kStartTemperature = 2000.0;
 constexpr double kEndTemperature = 0.01;
 constexpr double kSlowestRate = 0.5;
 constexpr double kSamePlace = 0.1;  // modules; symmetric nodes are off by what snapping left
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool same(Vec3 a, Vec3 b) {
   const Vec3 d = a - b;

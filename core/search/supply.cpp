@@ -2,17 +2,16 @@
 
 #include <algorithm>
 
+#include "base/index.h"
 #include "layout/stack.h"
 
 namespace liftarm::search {
 
 namespace {
 
-constexpr const char* kInlinePin = "2780";
+using base::at;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
+constexpr const char* kInlinePin = "2780";
 
 int beyond(int used, int owned) {
   return std::max(0, used - owned);

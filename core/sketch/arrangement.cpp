@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/index.h"
 #include "sketch/crossings.h"
 #include "sketch/point_index.h"
 #include "sketch/snap.h"
@@ -13,11 +14,8 @@ namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! A unit edge between two nodes, before it belongs to a run.
 struct UnitEdge {

@@ -8,19 +8,17 @@
 #include <tuple>
 
 #include "base/hash.h"
+#include "base/index.h"
 
 namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 // Bounds the time on drawings that crowd thousands of lines into one module.
 constexpr std::int64_t kMaxComparisons = 20'000'000;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Edge {
   int run = -1;

@@ -258,6 +258,11 @@ std::string shortNumber(double value) {
   return text == "-0" ? "0" : text;
 }
 
+std::string pointText(const lattice::Vec3& point) {
+  return "[" + shortNumber(point.x) + ", " + shortNumber(point.y) + ", " + shortNumber(point.z) +
+         "]";
+}
+
 std::string inQuotes(std::string_view text) {
   constexpr std::size_t kMaxBytes = 40;
   std::size_t end = std::min(text.size(), kMaxBytes);

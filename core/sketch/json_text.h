@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/status.h"
+#include "lattice/vec.h"
 
 namespace liftarm::sketch {
 
@@ -26,6 +27,9 @@ base::Result<nlohmann::json> parseJsonText(std::string_view text, const JsonLimi
 
 //! \brief A number as short as its meaning allows, for messages: at most 4 digits after the point.
 std::string shortNumber(double value);
+
+//! \brief A point with three such numbers, for messages: "[1, 2.5, 0]".
+std::string pointText(const lattice::Vec3& point);
 
 //! \brief Text of a file in quotes, made safe for one line of a message: no control characters, cut
 //! at 40 bytes.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/det_math.h"
+#include "base/index.h"
 #include "sketch/arrangement.h"
 #include "sketch/point_index.h"
 
@@ -13,13 +14,11 @@ namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
+
 constexpr int kMostSteps = 12;
 constexpr double kClosed = 1e-7;    // modules
 constexpr double kDamping = 1e-10;  // keeps what nothing drives where it is
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 int rootOf(std::vector<int>& parents, int i) {
   while (parents[at(i)] != i) {

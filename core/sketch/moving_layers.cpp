@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "base/det_math.h"
+#include "base/index.h"
 #include "sketch/moving_bodies.h"
 
 namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
 
 constexpr double kRadian = 3.14159265358979323846 / 180.0;
@@ -21,10 +23,6 @@ constexpr double kBeamWide = 0.99;  // modules between the lines of two beams th
 constexpr double kFlat = 1e-6;
 constexpr int kMostBodies = 24;  // larger machines would take long
 constexpr int kMostTries = 20000;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Point {
   double u = 0.0;

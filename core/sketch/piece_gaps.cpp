@@ -13,7 +13,7 @@ namespace {
 
 using lattice::Vec3;
 
-constexpr std::int64_t kMaxComparisons = 20'000'000;
+constexpr std::int64_t kMaxGapComparisons = 20'000'000;
 
 struct PieceNode {
   Vec3 position;
@@ -66,7 +66,7 @@ class NodesInOrder {
       for (const int way : {-1, 1}) {
         for (std::size_t j = i + static_cast<std::size_t>(way); j < nodes_.size();
              j += static_cast<std::size_t>(way)) {
-          if (++comparisons_ > kMaxComparisons) {
+          if (++comparisons_ > kMaxGapComparisons) {
             return std::nullopt;
           }
           const Vec3 span = nodes_[j].position - nodes_[i].position;

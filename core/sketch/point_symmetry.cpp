@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "base/index.h"
 #include "sketch/point_index.h"
 #include "sketch/sketch_json.h"
 
@@ -13,22 +14,12 @@ namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Mat3;
 using lattice::Vec3;
 
-constexpr double kSame = kLengthTolerance;  // modules, between a node's image and a node
-constexpr double kOnLine = 0.1;             // modules, least distance of two directions' cross
+constexpr double kOnLine = 0.1;  // modules, least distance of two directions' cross
 constexpr std::size_t kMostCandidates = 4000;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-double determinant(const Mat3& a) {
-  const auto& m = a.m;
-  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-         m[2] * (m[3] * m[7] - m[4] * m[6]);
-}
 
 //! Three directions square to each other: along a, towards b, across both.
 Mat3 frame(Vec3 a, Vec3 b) {
@@ -38,7 +29,7 @@ Mat3 frame(Vec3 a, Vec3 b) {
 }
 
 //! One unit edge with what its lines ask for.
-struct Edge {
+struct NodeEdge {
   int from = -1;
   int to = -1;
   bool exact = false;
@@ -48,7 +39,7 @@ struct Edge {
 //! The nodes and edges of a piece, numbered anew.
 class NodeSet {
  public:
-  NodeSet(const Arrangement& arrangement, int piece) : index_(kSame) {
+  NodeSet(const Arrangement& arrangement, int piece) : index_(kLengthTolerance) {
     std::vector<int> number(arrangement.nodes.size(), -1);
     for (const Run& run : arrangement.runs) {
       if (piece >= 0 && run.piece != piece) {
@@ -98,7 +89,7 @@ class NodeSet {
     std::vector<std::vector<int>> found;
     for (std::size_t begin = 0; begin < order.size();) {
       std::size_t end = begin + 1;
-      while (end < order.size() && order[end].first - order[end - 1].first < kSame) {
+      while (end < order.size() && order[end].first - order[end - 1].first < kLengthTolerance) {
         ++end;
       }
       // In one shell: by degree.
@@ -128,7 +119,7 @@ class NodeSet {
       }
       image.push_back(found);
     }
-    const bool edgesFit = std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    const bool edgesFit = std::all_of(edges_.begin(), edges_.end(), [&](const NodeEdge& edge) {
       const auto found = edgeAt_.find(key(image[at(edge.from)], image[at(edge.to)]));
       return found != edgeAt_.end() && sameRules(edge, edges_[found->second], map.linear);
     });
@@ -141,14 +132,14 @@ class NodeSet {
            static_cast<std::uint64_t>(std::max(a, b));
   }
 
-  void addEdge(const Edge& edge) {
+  void addEdge(const NodeEdge& edge) {
     ++degrees_[at(edge.from)];
     ++degrees_[at(edge.to)];
     edgeAt_.emplace(key(edge.from, edge.to), edges_.size());
     edges_.push_back(edge);
   }
 
-  static bool sameRules(const Edge& a, const Edge& b, const Mat3& linear) {
+  static bool sameRules(const NodeEdge& a, const NodeEdge& b, const Mat3& linear) {
     if (a.exact != b.exact || (a.holeAxis < 0) != (b.holeAxis < 0)) {
       return false;
     }
@@ -170,7 +161,7 @@ class NodeSet {
   PointIndex index_;
   Vec3 centre_;
   std::vector<int> degrees_;
-  std::vector<Edge> edges_;
+  std::vector<NodeEdge> edges_;
   std::unordered_map<std::uint64_t, std::size_t> edgeAt_;  // looked up only
   std::vector<std::pair<int, Vec3>> joints_;
 };
@@ -188,7 +179,7 @@ Mat3 tidied(Mat3 a) {
 struct Candidates {
   const NodeSet& nodes;
   std::vector<PointIsometry> found;
-  std::vector<std::vector<int>> effects;  //!< images by isometry, and determinant at the end
+  std::vector<std::vector<int>> effects;  //!< images by isometry, and the determinant at the end
 
   void tryLinear(const Mat3& linear) {
     const PointIsometry map{tidied(linear), nodes.centre()};
@@ -200,7 +191,7 @@ struct Candidates {
     for (int i = 0; i < nodes.size(); ++i) {
       moves = moves || image[at(i)] != i;
     }
-    image.push_back(determinant(map.linear) > 0.0 ? 1 : -1);
+    image.push_back(lattice::determinant(map.linear) > 0.0 ? 1 : -1);
     if (moves && std::find(effects.begin(), effects.end(), image) == effects.end()) {
       effects.push_back(std::move(image));
       found.push_back(map);
@@ -209,7 +200,7 @@ struct Candidates {
 
   void tryPair(Vec3 p, Vec3 q, Vec3 pImage, Vec3 qImage) {
     if (std::abs(lattice::dot(p, q) - lattice::dot(pImage, qImage)) >
-        kSame * (lattice::length(p) + lattice::length(q))) {
+        kLengthTolerance * (lattice::length(p) + lattice::length(q))) {
       return;
     }
     if (lattice::length(lattice::cross(pImage, qImage)) < kOnLine) {
@@ -257,7 +248,8 @@ std::vector<PointIsometry> pointSymmetries(const Arrangement& arrangement, int p
   classes.erase(std::remove_if(classes.begin(),
                                classes.end(),
                                [&](const std::vector<int>& c) {
-                                 return lattice::length(nodes.arm(c.front())) < 4.0 * kSame;
+                                 return lattice::length(nodes.arm(c.front())) <
+                                        4.0 * kLengthTolerance;
                                }),
                 classes.end());
   std::stable_sort(classes.begin(), classes.end(), [](const auto& a, const auto& b) {

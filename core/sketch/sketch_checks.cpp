@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.h"
 #include "sketch/arrangement.h"
 #include "sketch/json_text.h"
 #include "sketch/point_index.h"
@@ -13,17 +14,9 @@ namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Axis;
 using lattice::Vec3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-std::string pointText(const Vec3& point) {
-  return "[" + shortNumber(point.x) + ", " + shortNumber(point.y) + ", " + shortNumber(point.z) +
-         "]";
-}
 
 //! "x and y": the axes along which a line runs, or those across which it does not.
 std::string axesText(const Line& line, bool along) {

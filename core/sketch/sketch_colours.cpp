@@ -138,14 +138,14 @@ bool readParts(const json& value, FieldReader& fields, SketchColours& colours) {
   return true;
 }
 
-std::string numberText(double value) {
+std::string decimalText(double value) {
   const std::string text = json(value).dump();
   return text == "-0.0" ? "0.0" : text;
 }
 
 std::string paintedText(const PaintedPart& painted) {
-  return R"({"part": ")" + painted.part + R"(", "at": [)" + numberText(painted.at.x) + ", " +
-         numberText(painted.at.y) + ", " + numberText(painted.at.z) + R"(], "colour": )" +
+  return R"({"part": ")" + painted.part + R"(", "at": [)" + decimalText(painted.at.x) + ", " +
+         decimalText(painted.at.y) + ", " + decimalText(painted.at.z) + R"(], "colour": )" +
          std::to_string(painted.colour) + "}";
 }
 

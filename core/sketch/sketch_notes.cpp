@@ -19,18 +19,12 @@ namespace {
 using lattice::Vec3;
 
 constexpr double kWorthTelling = 1e-3;  // modules: less is how decimal numbers are written
-constexpr double kMillimetres = 8.0;    // a module
 constexpr double kWhole = 1e-6;
-
-std::string pointText(const Vec3& point) {
-  return "[" + shortNumber(point.x) + ", " + shortNumber(point.y) + ", " + shortNumber(point.z) +
-         "]";
-}
 
 std::string modulesText(double modules) {
   const std::string number = shortNumber(modules);
   return number + (number == "1" ? " module (" : " modules (") +
-         shortNumber(modules * kMillimetres) + " mm)";
+         shortNumber(modules * lattice::kMillimetresPerModule) + " mm)";
 }
 
 std::string lineName(int line) {

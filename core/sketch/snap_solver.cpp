@@ -4,22 +4,22 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/index.h"
+
 namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
+
 constexpr double kConverged = 1e-11;
 constexpr int kMaxSteps = 16;
 constexpr int kMaxGradientSteps = 600;
-constexpr double kDamping = 1e-9;
+constexpr double kSnapDamping = 1e-9;
 constexpr double kGradientTolerance = 1e-7;  // relative; the next step takes care of the rest
 constexpr double kMaxStep = 0.05;            // modules a value may move in one step
 constexpr double kMaxMove = 0.25;            // modules a value may move in all
 constexpr double kWorthwhile = 0.999;  // a step must bring the squared residual below this share
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! Sparse rows over the free values, row by row.
 struct Jacobian {
@@ -98,7 +98,7 @@ void multiplyNormal(const Jacobian& jacobian,
                     std::vector<double>& result) {
   multiplyTransposed(jacobian, weights, scratch);
   for (std::size_t r = 0; r < jacobian.rows(); ++r) {
-    double sum = kDamping * weights[r];
+    double sum = kSnapDamping * weights[r];
     for (std::size_t k = jacobian.start[r]; k < jacobian.start[r + 1]; ++k) {
       sum += jacobian.coefficient[k] * scratch[at(jacobian.column[k])];
     }

@@ -4,17 +4,15 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/index.h"
 #include "sketch/point_index.h"
 
 namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Vec3;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 //! The common value of numbers that are meant to be equal: the first whole one, else their mean.
 class SharedValue {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/index.h"
 #include "sketch/arrangement.h"
 #include "sketch/point_index.h"
 #include "sketch/point_symmetry.h"
@@ -13,6 +14,7 @@ namespace liftarm::sketch {
 
 namespace {
 
+using base::at;
 using lattice::Mat3;
 using lattice::Vec3;
 
@@ -20,10 +22,6 @@ constexpr double kSame = kLengthTolerance;
 constexpr double kSameDirection = 1e-3;
 constexpr std::size_t kMostLines = 600;  // for what is looked for pair by pair
 constexpr int kMostPieces = 16;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool near(Vec3 a, Vec3 b, double tolerance) {
   return lattice::length(a - b) < tolerance;
@@ -49,20 +47,13 @@ Vec3 tidy(Vec3 v) {
   return {tidy(v.x), tidy(v.y), tidy(v.z)};
 }
 
-double determinant(const Mat3& a) {
-  const Vec3 x{a.m[0], a.m[3], a.m[6]};
-  const Vec3 y{a.m[1], a.m[4], a.m[7]};
-  const Vec3 z{a.m[2], a.m[5], a.m[8]};
-  return lattice::dot(lattice::cross(x, y), z);
-}
-
 double traceOf(const Mat3& a) {
   return a.m[0] + a.m[4] + a.m[8];
 }
 
 bool isMirror(const Mat3& a) {
   // Of the maps that turn space inside out, a mirror alone has two directions that stay.
-  return determinant(a) < 0.0 && std::abs(traceOf(a) - 1.0) < kSameDirection;
+  return lattice::determinant(a) < 0.0 && std::abs(traceOf(a) - 1.0) < kSameDirection;
 }
 
 //! The direction that (sign * a) turns round: sign -1 for a mirror, 1 for a rotation.
@@ -210,7 +201,7 @@ class Finder {
           mirror.lines = linesOf(piece);
         }
         add(std::move(mirror));
-      } else if (piece < 0 && determinant(map.linear) > 0.0) {
+      } else if (piece < 0 && lattice::determinant(map.linear) > 0.0) {
         addRotation(axisOf(map.linear), map.centre);
       }
     }

@@ -13,21 +13,15 @@ namespace {
 using lattice::Vec3;
 using model::Model;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
+using testing::modelOf;
 using testing::pinAt;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 Balance balanceOfModel(const Model& model) {
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());
   return checkBalance(scene).value();
-}
-
-Model modelOf(std::vector<model::PlacedPart> parts) {
-  Model model;
-  model.parts = std::move(parts);
-  return model;
 }
 
 //! A beam of 9 holes flat on the floor under one end of a beam of 15.

@@ -16,13 +16,12 @@ namespace {
 using lattice::Vec3;
 using model::Model;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 using testing::partAt;
 using testing::pinAt;
 using testing::squareFrame;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 CheckReport check(const Model& model) {
   return checkModel(model, parts::Catalogue::builtIn());

@@ -6,11 +6,12 @@
 
 #include "analysis/scene.h"
 #include "core/helpers/four_bars.h"
+#include "core/helpers/models.h"
 
 namespace liftarm::analysis {
 namespace {
 
-constexpr lattice::Vec3 kY{0, 1, 0};
+using testing::kY;
 
 //! Turns a straight beam along x, its holes along y.
 const lattice::Mat3 kAlongX = lattice::fromColumns({0, 0, -1}, {1, 0, 0}, kY);

@@ -19,10 +19,9 @@ namespace {
 
 using lattice::Vec3;
 using parts::Prism;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 
 DisassemblyPlan planOf(const model::Model& model) {
   return planDisassembly(makeScene(model, parts::Catalogue::builtIn()));

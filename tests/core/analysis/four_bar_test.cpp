@@ -15,7 +15,7 @@ using lattice::Vec3;
 using testing::ClosedRange;
 using testing::FourBar;
 
-constexpr double kAgree = 0.5;  // degrees
+constexpr double kSameDegrees = 0.5;  // degrees
 
 parts::Feature feature(parts::FeatureKind kind, Vec3 at, double length) {
   parts::Feature result;
@@ -50,8 +50,8 @@ parts::Catalogue barsAndPin(const FourBar& linkage) {
 }
 
 //! A four-bar somewhere in space, drawn with a joint between bar `joint - 1` and bar `joint`.
-struct Stage {
-  Stage(const FourBar& linkage, std::size_t joint, const Pose& motion)
+struct BarStage {
+  BarStage(const FourBar& linkage, std::size_t joint, const Pose& motion)
       : catalogue(barsAndPin(linkage)) {
     const auto place = [&](std::size_t i) { return linkage.pivots[i % 4]; };
     for (std::size_t i = 0; i < 4; ++i) {
@@ -117,11 +117,11 @@ TEST(FourBars, TurnAsFarAsTheClosedFormSaysAnywhereInSpace) {
   for (std::size_t i = 0; i < 500; ++i) {
     const FourBar linkage = randomFourBar(rng);
     const std::size_t joint = i % 4;
-    const Stage stage(linkage, joint, testing::randomMotion(rng, 300));
+    const BarStage stage(linkage, joint, testing::randomMotion(rng, 300));
     const JointRange found = JointMover(stage.scene, stage.edges).turnJoint(0).range;
     const ClosedRange expected = closedRange(linkage, joint);
-    EXPECT_NEAR(found.from.degrees, expected.from, kAgree) << i << ": " << found.message;
-    EXPECT_NEAR(found.to.degrees, expected.to, kAgree) << i << ": " << found.message;
+    EXPECT_NEAR(found.from.degrees, expected.from, kSameDegrees) << i << ": " << found.message;
+    EXPECT_NEAR(found.to.degrees, expected.to, kSameDegrees) << i << ": " << found.message;
     deadPoints += (expected.from > -180 ? 1 : 0) + (expected.to < 180 ? 1 : 0);
   }
   EXPECT_GT(deadPoints, 300) << "the draw has both kinds";

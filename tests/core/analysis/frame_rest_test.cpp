@@ -10,10 +10,9 @@ namespace liftarm::analysis {
 namespace {
 
 using lattice::Vec3;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 
 Rest restOf(const model::Model& model, Vec3 centre) {
   return findRest(makeScene(model, parts::Catalogue::builtIn()), centre);

@@ -18,11 +18,10 @@ namespace {
 using lattice::Vec3;
 using model::Model;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 using testing::pinAt;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 //! A scene with what it refers to.
 struct Stage {

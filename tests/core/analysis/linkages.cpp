@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 
 #include "analysis/union_find.h"
+#include "core/helpers/models.h"
 
 namespace liftarm::testing {
 
@@ -14,10 +15,6 @@ namespace {
 using analysis::Link;
 using analysis::Linkage;
 using lattice::Vec3;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 Linkage linkage(int bodies, std::vector<Link> links) {
   return {bodies, std::move(links)};

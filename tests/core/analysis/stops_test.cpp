@@ -22,7 +22,7 @@ using lattice::Vec3;
 using model::Model;
 
 constexpr double kNear = 0.5;  // degrees from a stop within which it must show
-constexpr std::uint64_t kSketches = 60;
+constexpr std::uint64_t kManySketches = 60;
 
 //! Turning about a line.
 Pose turnAbout(Vec3 at, Vec3 axis, double degrees) {
@@ -100,7 +100,7 @@ bool partsMeet(const Model& start, const Model& now, const std::vector<int>& pai
 template <typename Look>
 int forEachStop(Look look) {
   int stops = 0;
-  for (std::uint64_t seed = 1; seed <= kSketches; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kManySketches; ++seed) {
     const testing::Solved solved = testing::solve(testing::hingedSketch(seed));
     if (!solved.report.at("buildable").get<bool>()) {
       continue;

@@ -21,10 +21,9 @@ namespace {
 using lattice::Vec3;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 
 StressState solvedState(const model::Model& model, const StressOptions& options = {}) {
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());

@@ -15,18 +15,13 @@ namespace {
 
 using lattice::Vec3;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
+using testing::modelOf;
 using testing::pinAt;
 
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 constexpr double kFar = 5.0;
-
-model::Model modelOf(std::vector<model::PlacedPart> parts) {
-  model::Model model;
-  model.parts = std::move(parts);
-  return model;
-}
 
 bool blocked(const model::Model& model, int mover, int fixed, Vec3 direction, double distance) {
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());

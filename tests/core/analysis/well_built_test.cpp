@@ -16,11 +16,10 @@ using lattice::Vec3;
 using model::Model;
 using nlohmann::json;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 using testing::pinAt;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 std::vector<WellBuiltItem> judge(const Model& model) {
   const Scene scene = makeScene(model, parts::Catalogue::builtIn());

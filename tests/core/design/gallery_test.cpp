@@ -54,12 +54,12 @@ std::string nameOf(const ::testing::TestParamInfo<std::string>& info) {
   return name;
 }
 
-struct Solved {
+struct SolvedFile {
   json report;
   std::string model;
 };
 
-Solved solve(const std::string& file, int seed) {
+SolvedFile solveFile(const std::string& file, int seed) {
   auto created = DesignSession::create(textOf(galleryFolder() / file),
                                        json{{"seed", seed}, {"preset", "simple"}}.dump());
   EXPECT_TRUE(created.ok());
@@ -76,14 +76,14 @@ struct Gallery : ::testing::TestWithParam<std::string> {};
 
 TEST_P(Gallery, IsBuildableWithSeveralSeeds) {
   for (const int seed : {1, 2}) {
-    const Solved solved = solve(GetParam(), seed);
+    const SolvedFile solved = solveFile(GetParam(), seed);
     EXPECT_TRUE(solved.report.value("buildable", false))
         << "seed " << seed << ": " << solved.report.value("problems", json::array()).dump();
   }
 }
 
 TEST_P(Gallery, HasStepsThatHoldEachPartOnce) {
-  const Solved solved = solve(GetParam(), 1);
+  const SolvedFile solved = solveFile(GetParam(), 1);
   const auto planned = planAssemblyJson(solved.model);
   ASSERT_TRUE(planned.ok());
   const json plan = json::parse(planned.value());
@@ -145,14 +145,14 @@ std::vector<std::string> hangingSteps(const model::Model& model) {
 }
 
 TEST_P(Gallery, HasNoStepAfterWhichPartsHangInTheAir) {
-  const auto model = model::readModel(solve(GetParam(), 1).model);
+  const auto model = model::readModel(solveFile(GetParam(), 1).model);
   ASSERT_TRUE(model.ok());
   EXPECT_THAT(hangingSteps(model.value()), ::testing::IsEmpty());
 }
 
 //! A picture of one part alone says nothing, and the next one shows it again.
 TEST_P(Gallery, ShowsNoFirstPartAloneBeforeTheSubassemblyThatGoesOnIt) {
-  const auto model = model::readModel(solve(GetParam(), 1).model);
+  const auto model = model::readModel(solveFile(GetParam(), 1).model);
   ASSERT_TRUE(model.ok());
   const analysis::Scene scene = analysis::makeScene(model.value(), parts::Catalogue::builtIn());
   std::map<int, std::vector<instructions::Step>> stepsOf;

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint32_t kSlice = 100'000;
+constexpr std::uint32_t kKeepSlice = 100'000;
 
 //! A portal: two posts, a beam across their tops, and a brace.
 json portal() {
@@ -29,18 +29,18 @@ json portal() {
     {"from": [0, 0, 0], "to": [8, 0, 0]}]})");
 }
 
-struct Solved {
+struct KeptDesign {
   json model;
   json report;
   json places;
   std::string layout;
 };
 
-Solved solve(const json& sketch, json settings = {{"seed", 1}}) {
+KeptDesign solveKept(const json& sketch, json settings = {{"seed", 1}}) {
   auto created = DesignSession::create(sketch.dump(), settings.dump());
   EXPECT_TRUE(created.ok());
   const std::unique_ptr<DesignSession> session = std::move(created).value();
-  while (!session->advance(kSlice)) {
+  while (!session->advance(kKeepSlice)) {
   }
   const std::string model = session->modelJson();
   const std::string layout = session->layoutJson();
@@ -71,7 +71,7 @@ json keeping(json sketch, const json& place) {
 }
 
 TEST(Keep, EveryBeamHasAPlaceAndNoPinHasOne) {
-  const Solved solved = solve(portal());
+  const KeptDesign solved = solveKept(portal());
   for (std::size_t i = 0; i < solved.places.size(); ++i) {
     const bool beam = solved.model.at("parts")[i].at("component").get<int>() >= 0;
     EXPECT_EQ(solved.places[i].is_null(), !beam) << solved.model.at("parts")[i].at("part");
@@ -79,15 +79,16 @@ TEST(Keep, EveryBeamHasAPlaceAndNoPinHasOne) {
 }
 
 TEST(Keep, TheLongestBeamHasAPlace) {
-  const Solved solved = solve(json::parse(R"({"format": "technic-sketch", "version": 1, "lines": [
+  const KeptDesign solved =
+      solveKept(json::parse(R"({"format": "technic-sketch", "version": 1, "lines": [
     {"from": [0, 0, 0], "to": [14, 0, 0]}]})"));
   EXPECT_EQ(placeOn(solved.places, 0).at("part").at("to"), 14);
 }
 
 TEST(Keep, AKeptPartStaysForAnotherSeed) {
-  const Solved first = solve(portal());
+  const KeptDesign first = solveKept(portal());
   const json place = placeOn(first.places, 2);
-  const Solved second = solve(keeping(portal(), place), {{"seed", 5}});
+  const KeptDesign second = solveKept(keeping(portal(), place), {{"seed", 5}});
   EXPECT_TRUE(has(second.places, place));
   EXPECT_TRUE(second.report.at("buildable").get<bool>());
 }
@@ -96,12 +97,12 @@ TEST(Keep, AKeptPartStaysWhereTheSearchWouldNotLayIt) {
   const json place = {
       {"line", 2},
       {"part", {{"part", "32524"}, {"from", 1}, {"to", 7}, {"layer", 2}, {"holeAxis", "y"}}}};
-  const Solved solved = solve(keeping(portal(), place));
+  const KeptDesign solved = solveKept(keeping(portal(), place));
   EXPECT_TRUE(has(solved.places, place));
 }
 
 TEST(Keep, ABarredPartLiesElsewhere) {
-  const Solved first = solve(portal());
+  const KeptDesign first = solveKept(portal());
   const json place = placeOn(first.places, 2);
   json barred = place.at("part");
   for (const char* key : {"layer", "holeAxis", "with"}) {
@@ -109,7 +110,8 @@ TEST(Keep, ABarredPartLiesElsewhere) {
   }
   json sketch = portal();
   sketch["keep"] = json::array({{{"line", 2}, {"barred", {barred}}}});
-  const Solved second = solve(sketch, {{"seed", 1}, {"earlier", json::parse(first.layout)}});
+  const KeptDesign second =
+      solveKept(sketch, {{"seed", 1}, {"earlier", json::parse(first.layout)}});
   EXPECT_FALSE(has(second.places, place));
   EXPECT_TRUE(second.report.at("buildable").get<bool>());
 }
@@ -117,7 +119,7 @@ TEST(Keep, ABarredPartLiesElsewhere) {
 TEST(Keep, BeamsLieOnTheLayersOfTheirLine) {
   json sketch = portal();
   sketch["keep"] = json::array({{{"line", 2}, {"layers", {1, 2}}}});
-  const Solved solved = solve(sketch);
+  const KeptDesign solved = solveKept(sketch);
   EXPECT_GE(placeOn(solved.places, 2).at("part").at("layer").get<int>(), 1);
   EXPECT_TRUE(solved.report.at("buildable").get<bool>());
 }
@@ -125,7 +127,7 @@ TEST(Keep, BeamsLieOnTheLayersOfTheirLine) {
 TEST(Keep, BeamsEndWhereALineIsSplit) {
   json sketch = portal();
   sketch["keep"] = json::array({{{"line", 4}, {"splits", {4}}}});
-  const Solved solved = solve(sketch);
+  const KeptDesign solved = solveKept(sketch);
   for (const json& place : solved.places) {
     if (!place.is_null() && place.at("line") == 4) {
       const json& part = place.at("part");
@@ -135,9 +137,9 @@ TEST(Keep, BeamsEndWhereALineIsSplit) {
 }
 
 TEST(Keep, WhatIsKeptComesBackInTheModelsSketch) {
-  const Solved first = solve(portal());
+  const KeptDesign first = solveKept(portal());
   const json sketch = keeping(portal(), placeOn(first.places, 2));
-  const Solved second = solve(sketch);
+  const KeptDesign second = solveKept(sketch);
   EXPECT_EQ(second.model.at("sketch").at("keep"), sketch.at("keep"));
 }
 
@@ -145,7 +147,7 @@ TEST(Keep, APartThatDoesNotFitItsPlaceIsNamed) {
   const json place = {
       {"line", 2},
       {"part", {{"part", "32524"}, {"from", 0}, {"to", 8}, {"layer", 0}, {"holeAxis", "y"}}}};
-  const Solved solved = solve(keeping(portal(), place));
+  const KeptDesign solved = solveKept(keeping(portal(), place));
   const json& problem = solved.report.at("problems").at(0);
   EXPECT_EQ(problem.at("kind"), "keep");
   EXPECT_EQ(problem.at("line"), 2);
@@ -176,18 +178,18 @@ TEST(Keep, TwoPartsInOnePlaceAreNamed) {
   };
   sketch["keep"] =
       json::array({{{"line", 2}, {"parts", {part("32524", 0, 6), part("32316", 4, 8)}}}});
-  EXPECT_EQ(solve(sketch).report.at("problems").at(0).at("message"),
+  EXPECT_EQ(solveKept(sketch).report.at("problems").at(0).at("message"),
             "another part is kept where this one is");
 }
 
 TEST(Keep, TheMethodOfThePaperKnowsNone) {
-  const Solved first = solve(portal());
+  const KeptDesign first = solveKept(portal());
   const json sketch = keeping(portal(), placeOn(first.places, 2));
   EXPECT_FALSE(DesignSession::create(sketch.dump(), R"({"method": "paper"})").ok());
 }
 
 TEST(Keep, WhatElseFitsIsOfferedOnTheSameStretch) {
-  const Solved solved = solve(portal());
+  const KeptDesign solved = solveKept(portal());
   const json place = placeOn(solved.places, 2);
   const auto index = std::find(solved.places.begin(), solved.places.end(), place);
   const auto answer = fittingPartsJson(solved.model.dump(),
@@ -202,12 +204,12 @@ TEST(Keep, WhatElseFitsIsOfferedOnTheSameStretch) {
 }
 
 TEST(Keep, APartHasAColourOfItsOwn) {
-  const Solved first = solve(portal());
+  const KeptDesign first = solveKept(portal());
   const json& part = first.model.at("parts").at(0);
   json sketch = portal();
   sketch["colours"] = {
       {"parts", {{{"part", part.at("part")}, {"at", part.at("position")}, {"colour", 5}}}}};
-  const Solved second = solve(sketch);
+  const KeptDesign second = solveKept(sketch);
   EXPECT_EQ(second.model.at("parts").at(0).at("color"), 5);
   EXPECT_NE(second.model.at("parts").at(1).at("color"), 5);
 }

@@ -16,7 +16,7 @@ TEST(Solve, BuildsASketchMadeInAProgram) {
   sketch::Sketch corner;
   corner.name = "Corner";
   corner.lines = {lineOf({0, 0, 0}, {8, 0, 0}), lineOf({0, 0, 0}, {0, 0, 6})};
-  const base::Result<Design> design = solve(corner);
+  const base::Result<Design> design = design::solve(corner);
   ASSERT_TRUE(design.ok());
   EXPECT_TRUE(design.value().buildable);
   EXPECT_TRUE(design.value().check.buildable);
@@ -30,8 +30,8 @@ TEST(Solve, GivesTheSameModelForTheSameOptions) {
   SolveOptions options;
   options.seed = 7;
   options.set["effort"] = "0.5";
-  const base::Result<Design> one = solve(line, options);
-  const base::Result<Design> other = solve(line, options);
+  const base::Result<Design> one = design::solve(line, options);
+  const base::Result<Design> other = design::solve(line, options);
   ASSERT_TRUE(one.ok() && other.ok());
   EXPECT_EQ(one.value().report, other.value().report);
 }
@@ -39,11 +39,11 @@ TEST(Solve, GivesTheSameModelForTheSameOptions) {
 TEST(Solve, NamesWhatIsWrongWithSketchOrOptions) {
   sketch::Sketch half;
   half.lines = {lineOf({0, 0, 0}, {6.5, 0, 0})};
-  EXPECT_EQ(solve(half).error().message.rfind("lines[0]: length 6.5", 0), 0U);
+  EXPECT_EQ(design::solve(half).error().message.rfind("lines[0]: length 6.5", 0), 0U);
   half.lines = {lineOf({0, 0, 0}, {6, 0, 0})};
   SolveOptions options;
   options.preset = "sturdy";
-  EXPECT_EQ(solve(half, options).error().message.rfind("preset: sturdy", 0), 0U);
+  EXPECT_EQ(design::solve(half, options).error().message.rfind("preset: sturdy", 0), 0U);
 }
 
 }  // namespace

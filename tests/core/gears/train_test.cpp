@@ -21,7 +21,7 @@ std::vector<int> teethInStock() {
   return teeth;
 }
 
-TrainRequest requestFor(Place to, double ratio) {
+TrainRequest requestFrom(Place to, double ratio) {
   TrainRequest request;
   request.to = to;
   request.ratio = ratio;
@@ -65,7 +65,7 @@ TEST(GearSizes, AreTheEightThatMeshOnTheLattice) {
 }
 
 TEST(Train, TakesTwoGearsWhereTwoWillDo) {
-  const auto train = findTrain(requestFor({3, 0}, 5.0));
+  const auto train = findTrain(requestFrom({3, 0}, 5.0));
   ASSERT_TRUE(train.has_value());
   ASSERT_EQ(train->gears.size(), 2U);
   EXPECT_EQ(train->gears[0].teeth, 8);
@@ -74,7 +74,7 @@ TEST(Train, TakesTwoGearsWhereTwoWillDo) {
 }
 
 TEST(Train, MultipliesRatiosOverAShaftInBetween) {
-  const auto train = findTrain(requestFor({5, 0}, 15.0));
+  const auto train = findTrain(requestFrom({5, 0}, 15.0));
   ASSERT_TRUE(train.has_value());
   EXPECT_EQ(train->shafts.size(), 3U);
   EXPECT_EQ(train->gears.size(), 4U);
@@ -82,20 +82,20 @@ TEST(Train, MultipliesRatiosOverAShaftInBetween) {
 }
 
 TEST(Train, BridgesADistanceByGearsThatChangeNoRatio) {
-  const auto train = findTrain(requestFor({15, 0}, 1.0));
+  const auto train = findTrain(requestFrom({15, 0}, 1.0));
   ASSERT_TRUE(train.has_value());
   EXPECT_EQ(train->shafts.size(), 4U);
   EXPECT_EQ(train->gears.size(), 4U);
 }
 
 TEST(Train, GoesRoundACornerWhereShaftsLieNotInARow) {
-  const auto train = findTrain(requestFor({3, 2}, 3.0));
+  const auto train = findTrain(requestFrom({3, 2}, 3.0));
   ASSERT_TRUE(train.has_value());
   EXPECT_NEAR(train->ratio, 3.0, 0.03 * 3.0);
 }
 
 TEST(Train, StandsWhereThereAreBearingsAlone) {
-  TrainRequest request = requestFor({5, 0}, 15.0);
+  TrainRequest request = requestFrom({5, 0}, 15.0);
   request.bears = [](Place place) { return place.v == 0 && place.u == 2; };
   const auto train = findTrain(request);
   ASSERT_TRUE(train.has_value());
@@ -105,7 +105,7 @@ TEST(Train, StandsWhereThereAreBearingsAlone) {
 }
 
 TEST(Train, KeepsClearOfWhatTurnsThereAlready) {
-  TrainRequest request = requestFor({3, 0}, 5.0);
+  TrainRequest request = requestFrom({3, 0}, 5.0);
   const auto alone = findTrain(request);
   request.taken = {{{5, 0}, 0, tipRadius(24)}};
   const auto beside = findTrain(request);
@@ -123,7 +123,7 @@ TEST(Train, HasTheRatioThatItSaysForAnyPairOfShafts) {
     if (to == Place{}) {
       continue;
     }
-    const auto train = findTrain(requestFor(to, i % 2 == 0 ? ratio : 1.0 / ratio));
+    const auto train = findTrain(requestFrom(to, i % 2 == 0 ? ratio : 1.0 / ratio));
     ASSERT_TRUE(train.has_value()) << to.u << ' ' << to.v << ' ' << ratio;
     EXPECT_EQ(meshesOf(*train).size() + 1, train->shafts.size());
     EXPECT_NEAR(ratioOf(*train), train->ratio, 1e-9);

@@ -13,10 +13,6 @@ using lattice::Vec3;
 using model::Model;
 using model::PlacedPart;
 
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
-
 PlacedPart placed(const std::string& part, Vec3 position, const Mat3& rotation) {
   PlacedPart result;
   result.part = part;

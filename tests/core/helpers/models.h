@@ -8,6 +8,17 @@
 
 namespace liftarm::testing {
 
+inline constexpr lattice::Vec3 kX{1, 0, 0};
+inline constexpr lattice::Vec3 kY{0, 1, 0};
+inline constexpr lattice::Vec3 kZ{0, 0, 1};
+
+//! \brief A model of these parts, without a sketch.
+inline model::Model modelOf(std::vector<model::PlacedPart> parts) {
+  model::Model model;
+  model.parts = std::move(parts);
+  return model;
+}
+
 //! \brief A beam with its middle at `center` (the middle of its bounds along the beam), running
 //! along `direction` from its first to its last hole, holes along `holeAxis`.
 model::PlacedPart beamAt(const std::string& part,

@@ -10,7 +10,6 @@ namespace {
 
 using lattice::Vec3;
 
-constexpr double kCube = 0.5 / 20.0;  // modules, as in voxel_solids
 constexpr double kStep = 0.125;
 constexpr double kStepAway = 0.25;
 constexpr int kEvery = 5;  // one in so many cubes of the surface

@@ -16,8 +16,6 @@ namespace {
 
 using lattice::Vec3;
 
-constexpr double kCube = 0.5 / 20.0;  // modules
-
 //! Ours to cubes of LDraw's frame: (x, y, z)LDraw = (x, -z, y)ours.
 Vec3 toCubes(Vec3 p) {
   return {p.x / kCube, -p.z / kCube, p.y / kCube};

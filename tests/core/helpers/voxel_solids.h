@@ -11,6 +11,9 @@
 
 namespace liftarm::testing {
 
+//! The edge of a cube, modules.
+inline constexpr double kCube = 0.5 / 20.0;
+
 //! \brief The real solid of one part, eroded by 0.6 LDU, in cubes of half an LDU, in LDraw's frame.
 struct VoxelSolid {
   int nx = 0;

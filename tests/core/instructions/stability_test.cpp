@@ -11,10 +11,9 @@ namespace {
 
 using lattice::Vec3;
 using testing::beamAt;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 
 analysis::Scene sceneOf(const model::Model& model) {
   return analysis::makeScene(model, parts::Catalogue::builtIn());

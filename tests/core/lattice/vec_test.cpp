@@ -8,13 +8,6 @@
 namespace liftarm::lattice {
 namespace {
 
-double determinant(const Mat3& a) {
-  const Vec3 x{a.m[0], a.m[3], a.m[6]};
-  const Vec3 y{a.m[1], a.m[4], a.m[7]};
-  const Vec3 z{a.m[2], a.m[5], a.m[8]};
-  return dot(cross(x, y), z);
-}
-
 TEST(Vec3, CrossIsRightHanded) {
   EXPECT_EQ(cross(unitVector(Axis::kX), unitVector(Axis::kY)), unitVector(Axis::kZ));
   EXPECT_EQ(cross(unitVector(Axis::kY), unitVector(Axis::kZ)), unitVector(Axis::kX));

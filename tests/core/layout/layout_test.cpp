@@ -12,12 +12,12 @@ using testing::LayoutBench;
 using testing::randomCover;
 using testing::structureOf;
 
-struct NamedSketch {
+struct SmallSketch {
   const char* name;
   sketch::Sketch sketch;
 };
 
-std::vector<NamedSketch> smallSketches() {
+std::vector<SmallSketch> smallSketches() {
   sketch::Sketch boxed = testing::cornerSketch(6);
   boxed.keepOut.push_back({{2, 1, 0}, {4, 3, 2}});
   boxed.ground = 0.0;
@@ -31,7 +31,7 @@ std::vector<NamedSketch> smallSketches() {
           {"boxed", boxed}};
 }
 
-std::string nameOf(const ::testing::TestParamInfo<NamedSketch>& info) {
+std::string nameOf(const ::testing::TestParamInfo<SmallSketch>& info) {
   return info.param.name;
 }
 
@@ -74,7 +74,7 @@ void coverSome(Layout* layout, base::Rng* rng) {
   }
 }
 
-struct LayoutEdits : ::testing::TestWithParam<NamedSketch> {};
+struct LayoutEdits : ::testing::TestWithParam<SmallSketch> {};
 
 TEST_P(LayoutEdits, TalliesEqualARecountAfterAnyEdits) {
   LayoutBench bench(GetParam().sketch);

@@ -14,12 +14,11 @@ namespace {
 
 using lattice::Vec3;
 using testing::beamAt;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
 using testing::partAt;
 using testing::pinAt;
-
-constexpr Vec3 kX{1, 0, 0};
-constexpr Vec3 kY{0, 1, 0};
-constexpr Vec3 kZ{0, 0, 1};
 
 std::vector<Connection> connectionsOf(std::vector<PlacedPart> parts) {
   Model model;

@@ -17,7 +17,7 @@ using layout::Cover;
 using layout::Layout;
 using testing::LayoutBench;
 
-const std::vector<int> kLengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
+const std::vector<int> kAllLengths{2, 3, 5, 6, 7, 9, 11, 13, 15};
 
 //! The cost that RunCoverer's documentation gives to the cover of a line that stands alone.
 double costOf(const Cover& cover, int edges, const CoverCosts& costs) {
@@ -55,7 +55,7 @@ double bestByBruteForce(int edges, const CoverCosts& costs) {
   const auto beamCost = [&](int start, int holes, int layer) {
     return costOf({Axis::kZ, {{start, holes, layer}}}, edges, costs);
   };
-  for (const int holes : kLengths) {
+  for (const int holes : kAllLengths) {
     for (int start = -1; start <= 0; ++start) {
       for (int layer = -guide::kMaxLayer; layer <= guide::kMaxLayer; ++layer) {
         if (start + holes - 1 <= edges + 1) {
@@ -78,7 +78,7 @@ double bestByBruteForce(int edges, const CoverCosts& costs) {
         continue;  // it would reach back to a beam of its own layer
       }
       for (const int layer : {state.layer - 1, state.layer + 1}) {
-        for (const int holes : kLengths) {
+        for (const int holes : kAllLengths) {
           const int last = start + holes - 1;
           if (last > state.last && last <= edges + 1 && layer >= -guide::kMaxLayer &&
               layer <= guide::kMaxLayer) {
@@ -96,7 +96,7 @@ void expectTrueMinimum(const CoverCosts& costs) {
   for (int edges = 1; edges <= 20; ++edges) {
     LayoutBench bench(testing::lineSketch(edges));
     const Layout layout(bench.problem, bench.solver);
-    RunCoverer coverer(bench.problem, kLengths, costs);
+    RunCoverer coverer(bench.problem, kAllLengths, costs);
     base::Rng rng(1);
     const auto cover = coverer.propose(layout, {0, Axis::kZ}, &rng);
     ASSERT_TRUE(cover.has_value());

@@ -13,7 +13,7 @@ namespace {
 
 using testing::LayoutBench;
 
-AnnealingOptions quick(EarlierLayout earlier = {}) {
+AnnealingOptions quickFrom(EarlierLayout earlier = {}) {
   AnnealingOptions options;
   options.starts = 10;
   options.minIterations = 300;
@@ -54,19 +54,19 @@ sketch::Sketch houseWithMast() {
 }
 
 TEST(EarlierLayout, IsKeptWholeByTheSameSketch) {
-  const Finished first(testing::houseSketch(), quick());
+  const Finished first(testing::houseSketch(), quickFrom());
   const KeptRuns kept = keepRuns(first.graph(), first.layout(), allowed(first.bench.problem));
   EXPECT_EQ(kept.kept, static_cast<int>(first.graph().runs.size()));
   EXPECT_TRUE(kept.touched.empty());
-  const Finished second(testing::houseSketch(), quick(first.layout()));
+  const Finished second(testing::houseSketch(), quickFrom(first.layout()));
   EXPECT_TRUE(second.annealer.grown());
   EXPECT_EQ(second.annealer.best().covers, first.annealer.best().covers);
 }
 
 TEST(EarlierLayout, LeavesWhatIsFarFromANewLineAsItLies) {
-  const Finished first(testing::houseSketch(), quick());
+  const Finished first(testing::houseSketch(), quickFrom());
   ASSERT_EQ(first.annealer.best().tallies.violations(), 0);
-  const Finished grown(houseWithMast(), quick(first.layout()));
+  const Finished grown(houseWithMast(), quickFrom(first.layout()));
   ASSERT_TRUE(grown.annealer.grown());
   EXPECT_EQ(grown.annealer.best().tallies.violations(), 0);
   EXPECT_LT(grown.annealer.iterations(), first.annealer.iterations());
@@ -81,15 +81,15 @@ TEST(EarlierLayout, LeavesWhatIsFarFromANewLineAsItLies) {
 }
 
 TEST(EarlierLayout, GrowsTheSameInSlicesOfAnySize) {
-  const Finished first(testing::houseSketch(), quick());
-  const Finished whole(houseWithMast(), quick(first.layout()), 100000);
-  const Finished sliced(houseWithMast(), quick(first.layout()), 7);
+  const Finished first(testing::houseSketch(), quickFrom());
+  const Finished whole(houseWithMast(), quickFrom(first.layout()), 100000);
+  const Finished sliced(houseWithMast(), quickFrom(first.layout()), 7);
   EXPECT_EQ(whole.annealer.best().covers, sliced.annealer.best().covers);
   EXPECT_EQ(whole.annealer.iterations(), sliced.annealer.iterations());
 }
 
 TEST(EarlierLayout, IsForgottenWhereItDoesNotEndWhole) {
-  const Finished cold(testing::houseSketch(), quick());
+  const Finished cold(testing::houseSketch(), quickFrom());
   EarlierLayout bad = cold.layout();
   for (EarlierRun& run : bad) {
     for (layout::Beam& beam : run.cover.beams) {
@@ -97,10 +97,10 @@ TEST(EarlierLayout, IsForgottenWhereItDoesNotEndWhole) {
       beam.layer = 0;  // all in each other's way
     }
   }
-  AnnealingOptions options = quick(bad);
+  AnnealingOptions options = quickFrom(bad);
   options.minIterations = 1;
   options.iterationsPerRun = 0;
-  AnnealingOptions without = quick();
+  AnnealingOptions without = quickFrom();
   without.minIterations = options.minIterations;
   without.iterationsPerRun = options.iterationsPerRun;
   const Finished warm(testing::houseSketch(), options);
@@ -111,7 +111,7 @@ TEST(EarlierLayout, IsForgottenWhereItDoesNotEndWhole) {
 }
 
 TEST(EarlierLayout, KeepsNothingThatMakesNoSense) {
-  const Finished first(testing::cubeSketch(6), quick());
+  const Finished first(testing::cubeSketch(6), quickFrom());
   const auto keptWith = [&](auto change) {
     EarlierLayout bad = first.layout();
     for (EarlierRun& run : bad) {
@@ -149,22 +149,22 @@ TEST(EarlierLayout, KeepsAnLBeamOnlyWithBothItsArms) {
 }
 
 TEST(EarlierLayout, KeepsAFrameWhereAllItsRunsAreKept) {
-  const Finished first(testing::rectangleSketch(4, 6), quick());
+  const Finished first(testing::rectangleSketch(4, 6), quickFrom());
   ASSERT_EQ(first.annealer.best().tallies.beams, 1);
   sketch::Sketch more = testing::rectangleSketch(4, 6);
   more.lines.push_back({{0, 0, 0}, {-5, 0, 0}, 5, false, {}});
-  const Finished afresh(more, quick());
+  const Finished afresh(more, quickFrom());
   // The new line goes on from a side, which is another run then: nothing is left of the frame.
   EXPECT_EQ(keepRuns(afresh.graph(), first.layout(), allowed(afresh.bench.problem)).kept, 0);
   more.lines.back() = {{0, 0, 0}, {0, 0, 5}, 5, false, {}};
-  const Finished grown(more, quick(first.layout()));
+  const Finished grown(more, quickFrom(first.layout()));
   EXPECT_TRUE(grown.annealer.grown());
   EXPECT_EQ(grown.annealer.best().tallies.beams, 2);
   EXPECT_EQ(keepRuns(grown.graph(), first.layout(), allowed(grown.bench.problem)).kept, 4);
 }
 
 TEST(EarlierLayout, KeepsNoFrameThatLiesNowhere) {
-  const Finished first(testing::rectangleSketch(4, 6), quick());
+  const Finished first(testing::rectangleSketch(4, 6), quickFrom());
   const auto keptWith = [&](auto change) {
     EarlierLayout bad = first.layout();
     change(&bad[0].cover.beams.front());

@@ -9,14 +9,14 @@ namespace {
 
 using lattice::Axis;
 
-const std::vector<int> kLengths{2, 3, 5, 7, 9, 11, 13, 15};
+const std::vector<int> kPaperLengths{2, 3, 5, 7, 9, 11, 13, 15};
 
 //! A paper layout of some sketch, with random beams on every run.
 struct PaperBench {
   explicit PaperBench(const sketch::Sketch& sketch, std::uint64_t seed = 1)
       : rng(seed),
         problem(layout::makeLayoutProblem(testing::graphOf(sketch))),
-        layout(problem, paperStageOne(problem.graph, &rng), kLengths) {}
+        layout(problem, paperStageOne(problem.graph, &rng), kPaperLengths) {}
 
   void coverAll() {
     while (true) {
@@ -108,7 +108,7 @@ TEST(PaperLayout, SumsDoNotDependOnTheWayThere) {
   for (const guide::Junction& junction : bench.problem.graph.junctions) {
     orientation.junctions.push_back(junctionAxis(bench.problem.graph, orientation.runs, junction));
   }
-  PaperLayout fresh(bench.problem, orientation, kLengths);
+  PaperLayout fresh(bench.problem, orientation, kPaperLengths);
   for (std::size_t r = 0; r < bench.layout.covers().size(); ++r) {
     for (const layout::Beam& beam : bench.layout.covers()[r].beams) {
       const int run = static_cast<int>(r);

@@ -28,7 +28,7 @@ std::string withKeep(const std::string& keep) {
          keep + "}";
 }
 
-std::string refusalOf(const std::string& keep) {
+std::string keepRefusal(const std::string& keep) {
   const base::Result<Sketch> read = readSketch(withKeep(keep));
   return read.ok() ? "" : read.error().message;
 }
@@ -50,18 +50,19 @@ TEST(Keep, StandsBesideColours) {
 }
 
 TEST(Keep, ARefusalNamesThePart) {
-  EXPECT_EQ(refusalOf(R"([{"line": 0, "parts": [{"part": "40490", "from": 0, "to": 8, "layer": 3,
+  EXPECT_EQ(keepRefusal(R"([{"line": 0, "parts": [{"part": "40490", "from": 0, "to": 8, "layer": 3,
                           "holeAxis": "y"}]}])"),
             "keep[0].parts[0].layer: 3 is not a whole number from -2 to 2");
 }
 
 TEST(Keep, ALineIsNamedOnce) {
-  EXPECT_EQ(refusalOf(R"([{"line": 0, "layers": [0]}, {"line": 0, "splits": [4]}])"),
+  EXPECT_EQ(keepRefusal(R"([{"line": 0, "layers": [0]}, {"line": 0, "splits": [4]}])"),
             "keep[1].line: line 0 has an element already");
 }
 
 TEST(Keep, APartBeginsOnItsLineOrBeforeIt) {
-  EXPECT_NE(refusalOf(R"([{"line": 0, "barred": [{"part": "40490", "from": 9, "to": 12}]}])"), "");
+  EXPECT_NE(keepRefusal(R"([{"line": 0, "barred": [{"part": "40490", "from": 9, "to": 12}]}])"),
+            "");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using lattice::Vec3;
 
-Line line(Vec3 from, Vec3 to) {
+Line drawn(Vec3 from, Vec3 to) {
   Line result;
   result.from = from;
   result.to = to;
@@ -39,9 +39,9 @@ std::vector<Line> triangles(int count, double side, double cosine, double sine) 
   std::vector<Line> lines;
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {
-      lines.push_back(line(point(i, j), point(i + 1, j)));
-      lines.push_back(line(point(i, j), point(i, j + 1)));
-      lines.push_back(line(point(i + 1, j), point(i, j + 1)));
+      lines.push_back(drawn(point(i, j), point(i + 1, j)));
+      lines.push_back(drawn(point(i, j), point(i, j + 1)));
+      lines.push_back(drawn(point(i + 1, j), point(i, j + 1)));
     }
   }
   return lines;
@@ -49,7 +49,7 @@ std::vector<Line> triangles(int count, double side, double cosine, double sine) 
 
 TEST(Snap, LeavesALatticeSketchBitForBitAsItIs) {
   std::vector<Line> lines{
-      line({0, 0, 0}, {3, 4, 0}), line({3, 4, 0}, {3, 4, 7}), line({0, 0, 0}, {-5, 0, 12})};
+      drawn({0, 0, 0}, {3, 4, 0}), drawn({3, 4, 0}, {3, 4, 7}), drawn({0, 0, 0}, {-5, 0, 12})};
   const std::vector<Line> before = lines;
   EXPECT_EQ(snapToWholeLengths(lines).moved, 0.0);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -59,9 +59,9 @@ TEST(Snap, LeavesALatticeSketchBitForBitAsItIs) {
 }
 
 TEST(Snap, FindsTheExactHeightOfARoundedTriangle) {
-  std::vector<Line> lines{line({0, 0, 0}, {5, 0, 0}),
-                          line({0, 0, 0}, {2.5, 0, 4.3301}),
-                          line({5, 0, 0}, {2.5, 0, 4.3301})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {5, 0, 0}),
+                          drawn({0, 0, 0}, {2.5, 0, 4.3301}),
+                          drawn({5, 0, 0}, {2.5, 0, 4.3301})};
   snapToWholeLengths(lines);
   EXPECT_EQ(lines[0].from, (Vec3{0, 0, 0}));
   EXPECT_EQ(lines[0].to, (Vec3{5, 0, 0}));
@@ -91,28 +91,29 @@ TEST(Snap, KeepsSharedEndPointsShared) {
 }
 
 TEST(Snap, WeldsEndPointsThatNearlyAgree) {
-  std::vector<Line> lines{line({0, 0, 0}, {5, 0, 0}), line({5.02, 0, 0.01}, {5.02, 0, 4.01})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {5, 0, 0}), drawn({5.02, 0, 0.01}, {5.02, 0, 4.01})};
   snapToWholeLengths(lines);
   EXPECT_EQ(lines[1].from, (Vec3{5, 0, 0}));
   EXPECT_EQ(lines[1].to, (Vec3{5, 0, 4}));
 }
 
 TEST(Snap, MovesTheLooseEndAndNotTheWholeNumberedOne) {
-  std::vector<Line> lines{line({0, 0, 0}, {4.97, 0, 0})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {4.97, 0, 0})};
   snapToWholeLengths(lines);
   EXPECT_EQ(lines[0].from, (Vec3{0, 0, 0}));
   EXPECT_EQ(lines[0].to, (Vec3{5, 0, 0}));
 }
 
 TEST(Snap, MovesWholeNumberedEndsWhereNothingElseCanGive) {
-  std::vector<Line> lines{line({0, 0, 0}, {12, 12, 0})};  // 16.97
+  std::vector<Line> lines{drawn({0, 0, 0}, {12, 12, 0})};  // 16.97
   const SnapReport report = snapToWholeLengths(lines);
   EXPECT_LT(worstLength(lines), 1e-9);
   EXPECT_LT(report.moved, 0.02);
 }
 
 TEST(Snap, KeepsALineInItsPlaneAndAlongItsAxis) {
-  std::vector<Line> lines{line({0, 0.01, 0}, {4.98, 0, 0.02}), line({0, 0.01, 0}, {2, 0.03, 3.49})};
+  std::vector<Line> lines{drawn({0, 0.01, 0}, {4.98, 0, 0.02}),
+                          drawn({0, 0.01, 0}, {2, 0.03, 3.49})};
   snapToWholeLengths(lines);
   EXPECT_EQ(lines[0].from.y, lines[0].to.y);
   EXPECT_EQ(lines[0].from.z, lines[0].to.z);
@@ -121,21 +122,22 @@ TEST(Snap, KeepsALineInItsPlaneAndAlongItsAxis) {
 
 TEST(Snap, KeepsAnEndPointAtTheNodeOfAnotherLine) {
   // The second line ends at the third node of the first, which is off the lattice and rounded.
-  std::vector<Line> lines{line({0, 0, 0}, {3, 0, 5.1962}), line({1.5, 0, 2.598}, {6.5, 0, 2.598})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {3, 0, 5.1962}),
+                          drawn({1.5, 0, 2.598}, {6.5, 0, 2.598})};
   snapToWholeLengths(lines);
   EXPECT_LT(lattice::length(nodeOfLine(lines[0], 3) - lines[1].from), 1e-9);
   EXPECT_LT(worstLength(lines), 1e-9);
 }
 
 TEST(Snap, KeepsACrossingAtNodesOfBothLines) {
-  std::vector<Line> lines{line({0, 0, 0}, {3, 0, 5.196}), line({3, 0, 0}, {0, 0, 5.196})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {3, 0, 5.196}), drawn({3, 0, 0}, {0, 0, 5.196})};
   snapToWholeLengths(lines);
   EXPECT_LT(lattice::length(nodeOfLine(lines[0], 3) - nodeOfLine(lines[1], 3)), 1e-9);
 }
 
 TEST(Snap, KeepsLinesStraightThroughASharedEndPoint) {
-  std::vector<Line> lines{line({0.01, 0, 0}, {1.51, 0, 2.5982}),
-                          line({1.51, 0, 2.5982}, {4.0102, 0, 6.9282})};
+  std::vector<Line> lines{drawn({0.01, 0, 0}, {1.51, 0, 2.5982}),
+                          drawn({1.51, 0, 2.5982}, {4.0102, 0, 6.9282})};
   snapToWholeLengths(lines);
   const Vec3 first = lattice::normalized(lines[0].to - lines[0].from);
   const Vec3 second = lattice::normalized(lines[1].to - lines[1].from);
@@ -144,10 +146,10 @@ TEST(Snap, KeepsLinesStraightThroughASharedEndPoint) {
 
 TEST(Snap, ReportsWhatContradictingLengthsLeave) {
   // Five modules and five modules, end to end in a straight line, cannot span 9.96.
-  std::vector<Line> lines{line({0, 0, 0}, {4.98, 0, 0}),
-                          line({4.98, 0, 0}, {9.96, 0, 0}),
-                          line({0, 0, 0}, {9.96, 0, 0}),
-                          line({9.96, 0, 0}, {0, 0, 0})};
+  std::vector<Line> lines{drawn({0, 0, 0}, {4.98, 0, 0}),
+                          drawn({4.98, 0, 0}, {9.96, 0, 0}),
+                          drawn({0, 0, 0}, {9.96, 0, 0}),
+                          drawn({9.96, 0, 0}, {0, 0, 0})};
   lines[3].length = 9;
   const SnapReport report = snapToWholeLengths(lines);
   EXPECT_GT(report.residual, 1e-3);

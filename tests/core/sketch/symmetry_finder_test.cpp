@@ -12,7 +12,7 @@ namespace {
 
 using lattice::Vec3;
 
-Sketch sketchOf(const std::vector<std::pair<Vec3, Vec3>>& lines) {
+Sketch drawingOf(const std::vector<std::pair<Vec3, Vec3>>& lines) {
   Sketch sketch;
   for (const auto& [from, to] : lines) {
     Line line;
@@ -25,10 +25,10 @@ Sketch sketchOf(const std::vector<std::pair<Vec3, Vec3>>& lines) {
 }
 
 Sketch rectangle(double width, double depth) {
-  return sketchOf({{{0, 0, 0}, {width, 0, 0}},
-                   {{width, 0, 0}, {width, depth, 0}},
-                   {{width, depth, 0}, {0, depth, 0}},
-                   {{0, depth, 0}, {0, 0, 0}}});
+  return drawingOf({{{0, 0, 0}, {width, 0, 0}},
+                    {{width, 0, 0}, {width, depth, 0}},
+                    {{width, depth, 0}, {0, depth, 0}},
+                    {{0, depth, 0}, {0, 0, 0}}});
 }
 
 Sketch hexagon(double side) {
@@ -43,7 +43,7 @@ Sketch hexagon(double side) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     lines.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
   }
-  return sketchOf(lines);
+  return drawingOf(lines);
 }
 
 //! The mirrors of the whole sketch, as "normal x, y, z at offset".
@@ -88,20 +88,20 @@ TEST(SymmetryFinder, FindsTheSixMirrorsAndTheTurnOfAHexagonOffTheLattice) {
 TEST(SymmetryFinder, DoesNotMindHowLinesAreDrawn) {
   Sketch split = rectangle(6, 4);
   // The upper side in two overlapping lines.
-  split.lines[2] = sketchOf({{{6, 4, 0}, {2, 4, 0}}}).lines[0];
-  split.lines.push_back(sketchOf({{{3, 4, 0}, {0, 4, 0}}}).lines[0]);
+  split.lines[2] = drawingOf({{{6, 4, 0}, {2, 4, 0}}}).lines[0];
+  split.lines.push_back(drawingOf({{{3, 4, 0}, {0, 4, 0}}}).lines[0]);
   EXPECT_EQ(wholeMirrors(split).size(), 2U);
 }
 
 TEST(SymmetryFinder, FindsNothingInACrookedSketch) {
   const FoundSymmetries found = findSymmetries(
-      sketchOf({{{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0}, {0, 4, 0}}, {{0, 4, 0}, {0, 4, 3}}}));
+      drawingOf({{{0, 0, 0}, {6, 0, 0}}, {{0, 0, 0}, {0, 4, 0}}, {{0, 4, 0}, {0, 4, 3}}}));
   EXPECT_TRUE(found.symmetries.empty());
   EXPECT_TRUE(found.rotations.empty());
 }
 
 TEST(SymmetryFinder, FindsTheMiddleOfASingleLine) {
-  const std::vector<Symmetry> mirrors = wholeMirrors(sketchOf({{{1, 0, 0}, {8, 0, 0}}}));
+  const std::vector<Symmetry> mirrors = wholeMirrors(drawingOf({{{1, 0, 0}, {8, 0, 0}}}));
   ASSERT_EQ(mirrors.size(), 1U);
   EXPECT_TRUE(hasMirror(mirrors, {1, 0, 0}, 4.5));
 }
@@ -113,7 +113,7 @@ TEST(SymmetryFinder, LeavesOutTheMirrorInWhichAFlatSketchLies) {
 TEST(SymmetryFinder, TellsATurnWithoutAMirror) {
   // A staircase Z in the plane: only the half turn brings it onto itself.
   const FoundSymmetries found = findSymmetries(
-      sketchOf({{{-4, 3, 0}, {0, 3, 0}}, {{0, 3, 0}, {0, -3, 0}}, {{0, -3, 0}, {4, -3, 0}}}));
+      drawingOf({{{-4, 3, 0}, {0, 3, 0}}, {{0, 3, 0}, {0, -3, 0}}, {{0, -3, 0}, {4, -3, 0}}}));
   EXPECT_TRUE(found.symmetries.empty());
   ASSERT_EQ(found.rotations.size(), 1U);
   EXPECT_EQ(found.rotations[0].order, 2);
@@ -145,7 +145,7 @@ TEST(SymmetryFinder, MindsJoints) {
 
 TEST(SymmetryFinder, OffersAMirrorOfMostLines) {
   Sketch sketch = rectangle(8, 4);
-  sketch.lines.push_back(sketchOf({{{8, 2, 0}, {8, 2, 5}}}).lines[0]);
+  sketch.lines.push_back(drawingOf({{{8, 2, 0}, {8, 2, 5}}}).lines[0]);
   const FoundSymmetries found = findSymmetries(sketch);
   EXPECT_TRUE(std::any_of(found.symmetries.begin(), found.symmetries.end(), [](const Symmetry& s) {
     return s.kind == Symmetry::Kind::kReflection && s.normal.x > 0.99 && s.offset == 4.0 &&
@@ -155,7 +155,7 @@ TEST(SymmetryFinder, OffersAMirrorOfMostLines) {
 
 TEST(SymmetryFinder, OffersTheMirrorsOfAPieceWithItsLines) {
   Sketch sketch = rectangle(6, 4);
-  const Sketch crooked = sketchOf({{{20, 0, 0}, {27, 0, 0}}, {{20, 0, 0}, {20, 9, 0}}});
+  const Sketch crooked = drawingOf({{{20, 0, 0}, {27, 0, 0}}, {{20, 0, 0}, {20, 9, 0}}});
   sketch.lines.insert(sketch.lines.end(), crooked.lines.begin(), crooked.lines.end());
   const FoundSymmetries found = findSymmetries(sketch);
   EXPECT_TRUE(std::any_of(found.symmetries.begin(), found.symmetries.end(), [](const Symmetry& s) {
