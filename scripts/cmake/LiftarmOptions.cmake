@@ -12,6 +12,14 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps in inlined std::string concatenation that are not there (GCC bug 105651).
   target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Wno-restrict>")
 endif()
+# Several files in one translation unit (CMAKE_UNITY_BUILD, on in the presets that npm test builds): they parse the
+# headers once. What one of them declares for itself is then global to the others, and a local name may hide it.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Wno-shadow>")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Wshadow=local>")
+  endif()
+endif()
 if(LIFTARM_STRICT)
   target_compile_options(liftarm_options INTERFACE "$<BUILD_INTERFACE:-Werror>")
 endif()
