@@ -1,64 +1,43 @@
 // `npm test`: set-up, then every check and every test, in the order of what fails fastest. Stops at the
 // first step that fails. Steps can be named: `node scripts/test.mjs lint native`. Native tests run while the WebAssembly
 // module is built: its link takes minutes and one core alone.
-import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { relative, resolve } from 'node:path';
 import { build } from './build.mjs';
 import { capture, exitWith, localBin, run, StepError, TOP, timed } from './lib/run.mjs';
+import { fileOf, RESULTS, resultsOf, STEPS_FILE, stepLines } from './lib/test-results.mjs';
 import { setUp } from './setup.mjs';
 
-const RESULTS = resolve(TOP, 'build/test-results');
 const VITE_CONFIG = resolve(TOP, 'web/vite.config.ts');
 
-/** Passed, failed and skipped tests per runner, for the last line. */
+/** Passed, failed and skipped tests per runner, and when each step began and what it took, for the last lines. */
 const counts = [];
+const steps = [];
+const start = performance.now();
 
-function readJson(file) {
-  return existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : null;
+const secondsSince = (moment) => (performance.now() - moment) / 1000;
+
+/** Runs one named step, and keeps its time. */
+async function step(title, work) {
+  const began = performance.now();
+  try {
+    await timed(title, work);
+  } finally {
+    steps.push({ title, began: (began - start) / 1000, took: secondsSince(began) });
+  }
 }
 
 /** Runs a test runner; whatever it ends with, its counts are read from the file that it wrote. */
-async function runner(name, file, { command, args, env = {}, read }) {
-  rmSync(file, { force: true });
+async function runner(name, { command, args, env = {} }) {
+  rmSync(fileOf(name), { force: true });
   try {
     await run(command, args, { env });
   } finally {
-    const count = existsSync(file) ? read(file) : { passed: 0, failed: 1, skipped: 0 };
-    counts.push({ name, ...count });
+    counts.push({ name, ...(resultsOf(name) ?? { passed: 0, failed: 1, skipped: 0 }) });
   }
   if (counts.at(-1).passed === 0) {
     throw new StepError(`${name}: no test ran`);
   }
-}
-
-function readCtest(file) {
-  const head = readFileSync(file, 'utf8').slice(0, 4000);
-  const field = (name) => Number(head.match(new RegExp(`\\b${name}="(\\d+)"`))?.[1] ?? 0);
-  const skipped = field('skipped') + field('disabled');
-  return {
-    passed: field('tests') - field('failures') - skipped,
-    failed: field('failures'),
-    skipped,
-  };
-}
-
-function readVitest(file) {
-  const { numPassedTests, numFailedTests, numPendingTests, numFailedTestSuites, success } =
-    readJson(file);
-  // A file that does not even load has no failed test of its own.
-  const failed = success ? 0 : Math.max(numFailedTests, Math.min(1, numFailedTestSuites));
-  return { passed: numPassedTests, failed, skipped: numPendingTests };
-}
-
-function readPlaywright(file) {
-  const { stats, suites } = readJson(file);
-  const { expected, unexpected, flaky, skipped } = stats;
-  const inside = (suite) => [...(suite.specs ?? []), ...(suite.suites ?? []).flatMap(inside)];
-  const second = suites
-    .flatMap(inside)
-    .filter(({ tests }) => tests.some(({ status }) => status === 'flaky'))
-    .map(({ file: spec, title }) => `${spec}: ${title}`);
-  return { passed: expected + flaky, failed: unexpected, skipped, second };
 }
 
 function checkFormat() {
@@ -90,24 +69,23 @@ const LINTS = {
   },
 };
 
-const buildNative = () => timed('native build', () => build('native'));
-const buildWasm = () => timed('WebAssembly build', () => build('wasm'));
+const buildNative = () => step('native build', () => build('native'));
+const buildWasm = () => step('WebAssembly build', () => build('wasm'));
 
-async function testNative() {
-  const junit = resolve(RESULTS, 'ctest.xml');
-  await timed('native tests', () =>
-    runner('native', junit, {
+const checkAlone = () =>
+  step('files compiled alone', () => run(process.execPath, ['tests/checks/check-alone.mjs']));
+
+const testNative = () =>
+  step('native tests', () =>
+    runner('native', {
       command: 'ctest',
-      args: ['--preset', 'native', '--progress', '--output-junit', junit],
-      read: readCtest,
+      args: ['--preset', 'native', '--progress', '--output-junit', fileOf('native')],
     }),
   );
-}
 
-async function testUnits() {
-  const json = resolve(RESULTS, 'vitest.json');
-  await timed('Vitest', () =>
-    runner('vitest', json, {
+const testUnits = () =>
+  step('Vitest', () =>
+    runner('vitest', {
       command: localBin('vitest'),
       args: [
         'run',
@@ -115,22 +93,18 @@ async function testUnits() {
         VITE_CONFIG,
         '--reporter=default',
         '--reporter=json',
-        `--outputFile.json=${json}`,
+        `--outputFile.json=${fileOf('vitest')}`,
       ],
-      read: readVitest,
     }),
   );
-}
 
 async function testPage() {
-  await timed('build of the page', () => build('web'));
-  const json = resolve(RESULTS, 'playwright.json');
-  await timed('browser tests', () =>
-    runner('browser', json, {
+  await step('build of the page', () => build('web'));
+  await step('browser tests', () =>
+    runner('browser', {
       command: localBin('playwright'),
       args: ['test', '--reporter=list,json'],
-      env: { PLAYWRIGHT_JSON_OUTPUT_FILE: json },
-      read: readPlaywright,
+      env: { PLAYWRIGHT_JSON_OUTPUT_FILE: fileOf('browser') },
     }),
   );
 }
@@ -145,15 +119,16 @@ async function together(...works) {
 }
 
 const STEPS = {
-  setup: () => timed('set-up', () => setUp({ forTests: true })),
+  setup: () => step('set-up', () => setUp({ forTests: true })),
   lint: async () => {
     for (const [title, work] of Object.entries(LINTS)) {
-      await timed(title, work);
+      await step(title, work);
     }
   },
   native: async () => {
     await buildNative();
-    await (stepNames.includes('wasm') ? together(testNative, buildWasm) : testNative());
+    const wasm = stepNames.includes('wasm') ? [buildWasm] : [];
+    await together(testNative, checkAlone, ...wasm);
   },
   // Nothing is left to do when it went along with the native tests.
   wasm: buildWasm,
@@ -170,7 +145,10 @@ function printSummary() {
   for (const title of counts.flatMap(({ second }) => second ?? [])) {
     console.log(`passed only the second time: ${title}`);
   }
-  console.log(`${sum('passed')} passed, ${sum('failed')} failed`);
+  const all = `${sum('passed')} passed, ${sum('failed')} failed, ${sum('skipped')} skipped`;
+  console.log(
+    `${all} in ${secondsSince(start).toFixed(0)} s (npm run test:times: where they went)`,
+  );
 }
 
 const wanted = process.argv.slice(2);
@@ -180,7 +158,6 @@ if (unknown.length > 0) {
 }
 const stepNames = wanted.length > 0 ? wanted : Object.keys(STEPS);
 mkdirSync(RESULTS, { recursive: true });
-const start = performance.now();
 let failure = null;
 for (const name of stepNames) {
   try {
@@ -191,7 +168,8 @@ for (const name of stepNames) {
     break;
   }
 }
-console.log(`\nAll in all ${((performance.now() - start) / 1000).toFixed(0)} s`);
+writeFileSync(STEPS_FILE, JSON.stringify(steps));
+console.log(`\n${stepLines(steps).join('\n')}`);
 printSummary();
 if (failure !== null) {
   exitWith(failure);
