@@ -129,7 +129,7 @@ TEST(Stops, AreWherePartsBeginToMeet) {
 TEST(Stops, ShowOnTheRealSolids) {
   LIFTARM_NEED_SHARED_DATA();
   testing::VoxelSolids solids;
-  int unseen = 0;
+  int late = 0;
   const int stops = forEachStop([&](const Hinge& hinge, const RangeEnd& end) {
     const std::size_t atStart = testing::voxelOverlaps(hinge.model, solids).size();
     const auto overlaps = [&](double past) {
@@ -137,11 +137,12 @@ TEST(Stops, ShowOnTheRealSolids) {
       return testing::voxelOverlaps(hinge.at(end.degrees + sign * past), solids).size();
     };
     EXPECT_EQ(overlaps(0.0), atStart);
-    unseen += overlaps(4.0) > atStart ? 0 : 1;
+    late += overlaps(4.0) > atStart ? 0 : 1;
+    EXPECT_GT(overlaps(12.0), atStart);
   });
-  // Rims of pin holes are thinner than what these solids are drawn in by: a corner of one that
-  // slips along another may show later.
-  EXPECT_LE(unseen * 50, stops);
+  // Rims of pin holes are thinner than what these solids are drawn in by: a corner of a beam that
+  // slips along one (all that were looked at: collars of 55615) shows some degrees later.
+  EXPECT_LE(late * 10, stops);
 }
 
 }  // namespace
