@@ -39,6 +39,7 @@ const NOT_CHANGING = [
   'tool.array',
   'tool.joint',
   'tool.keepOut',
+  'tool.shaft',
 ];
 /** These end what the others need, so they come last; the language is the very last. */
 const LAST = [
@@ -51,8 +52,8 @@ const LAST = [
   'languageDe',
 ];
 const SHARES = 6;
-/** There only while a search runs (access.spec.ts), with something undone or hidden. */
-const IN_OTHER_STATES = ['cancel', 'redo', 'isolateNone'];
+/** There only while a search runs (access.spec.ts), with something undone or hidden, or with shafts (shafts.spec.ts). */
+const IN_OTHER_STATES = ['cancel', 'clearShafts', 'redo', 'isolateNone'];
 
 /** Has every property, and each is this again: enough to make the table of commands, of which only the names are read. */
 const ANYTHING: Actions = new Proxy(() => undefined, {

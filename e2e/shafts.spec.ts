@@ -47,4 +47,8 @@ test('two shafts are coupled at a typed ratio, and the model is buildable with i
     .toEqual([{ from: 0, to: 1, ratio: 15 }]);
   await generate(page);
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
+  await runCommand(page, 'Remove all shafts and gears');
+  await expect
+    .poll(async () => Object.keys((await savedSketch(page)) ?? {}))
+    .not.toContain('shafts');
 });
