@@ -22,7 +22,7 @@ const PICTURE = {
 const DRAWINGS = [
   ['table', 'public/examples', ''],
   ['chair-side', 'public/gallery', 'something can still be moved.'],
-  ['staircase', FOLDER, 'two treads lie on their steps and two between them.'],
+  ['staircase', FOLDER, 'left and right differ, and the treads do not all lie alike.'],
   ['house', 'public/examples', 'something can still be moved.'],
   ['bridge', 'public/examples', 'its lower chords are in pieces that pass each other.'],
   ['tower', 'public/examples', 'one foot is in the air, and its middle bars lie on two heights.'],
