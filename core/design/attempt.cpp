@@ -253,10 +253,12 @@ void Attempts::planMoreSeeds() {
   }
 }
 
-//! A layout that does not stand as the drawing does, or moves though no joint says so, is compared
-//! with those of other seeds, while that takes no longer than a person waits.
+//! A layout that was found without the wish to stand, and does not or is loose, is compared with
+//! one that has it, then with other seeds while they find something better and nobody waits for it.
 void Attempts::planBetterSeed() {
-  if (plans_.empty() && best_ != nullptr && (best_->faults > 0 || best_->freedoms > 0) &&
+  const bool differs =
+      betterSeeds_ > 0 || (best_ != nullptr && best_->wishes.standing != settings_->standing);
+  if (plans_.empty() && best_ != nullptr && differs && (best_->faults > 0 || best_->freedoms > 0) &&
       betterSeeds_ < kBetterSeeds && workBefore_ < kWorkOfBetterSeeds &&
       settings_->annealing.earlier.empty()) {
     plans_.push_back(best_->wishes);
