@@ -93,8 +93,8 @@ std::string wellBuiltText(const ordered_json& items) {
   std::string text;
   for (const ordered_json& item : items) {
     const char* mark = item.value("ok", false) ? "yes" : "NO ";
-    text += std::string("    ") + mark + "  " + item.value("title", "") + ": " +
-            item.value("detail", "") + "\n";
+    text += std::string("    ") + mark + "  " + textAt(item, "title") + ": " +
+            textAt(item, "detail") + "\n";
   }
   return text;
 }

@@ -100,22 +100,9 @@ base::Result<std::size_t> writeResults(const SolveOptions& options, const std::s
   return folder.ok() ? writeFiles(files) : base::Result<std::size_t>(folder.error());
 }
 
-//! One line of JSON in which no byte can steer a terminal.
+//! One line of JSON in which nothing can steer a terminal: all but ASCII is escaped.
 std::string jsonLine(const ordered_json& value) {
-  std::string line;
-  for (const char c : value.dump(-1, ' ', false, ordered_json::error_handler_t::replace)) {
-    line += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
-  }
-  // C1, as UTF-8: C2 80 to C2 9F. The lead byte stands for nothing else before those.
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const auto next = static_cast<unsigned char>(line[i + 1]);
-    if (static_cast<unsigned char>(line[i]) == 0xC2U && next < 0xA0U) {
-      constexpr const char* kDigits = "0123456789abcdef";
-      const std::string escape{'\\', 'u', '0', '0', kDigits[next >> 4U], kDigits[next & 0xFU]};
-      line.replace(i, 2, escape);
-    }
-  }
-  return line + "\n";
+  return value.dump(-1, ' ', true, ordered_json::error_handler_t::replace) + "\n";
 }
 
 //! Prints what was found out. \return `otherwise`, unless it could not be told.

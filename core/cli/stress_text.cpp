@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "base/plain_text.h"
 #include "design/design_session.h"
 
 namespace liftarm::cli {
@@ -47,7 +48,7 @@ ordered_json stressSummary(const std::string& modelJson) {
 }
 
 std::string stressText(const ordered_json& summary) {
-  const std::string message = summary.value("message", "");
+  const std::string message = base::plainText(summary.value("message", ""));
   if (!summary.value("ok", false)) {
     return "  stress: not known; " + message + "\n";
   }

@@ -150,6 +150,20 @@ TEST_F(Files, NamesInThemDoNotSteerTheTerminal) {
   EXPECT_EQ(run("check '" + path + "'").out.rfind("a [31m b  c: ", 0), 0U);
 }
 
+TEST_F(Files, UnknownPartsInThemDoNotSteerTheTerminal) {
+  constexpr const char* kSteering[] = {"\x1B", "\x7F", "\xC2\x9B", "\xE2\x80\xAE"};
+  model::Model model = testing::squareFrame();
+  for (const char* steering : kSteering) {
+    model.parts[0].part = std::string("a") + steering + "b";
+    const std::string path = write("m.model.json", model::writeModel(model));
+    for (const char* how : {"check '", "check --json '", "stress '", "export --as inp '"}) {
+      const Outcome outcome = run(how + path + "'");
+      EXPECT_EQ((outcome.out + outcome.err).find(steering), std::string::npos) << how;
+      EXPECT_NE((outcome.out + outcome.err).find("(a"), std::string::npos) << how;
+    }
+  }
+}
+
 TEST_F(Files, SeveralPiecesAreSaidInTheFirstLineOfTheReport) {
   const std::string sketch =
       write("Two.json", testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{0, 3, 0}, {8, 3, 0}}}));
