@@ -3,17 +3,26 @@ import { existsSync, mkdtempSync, readdirSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import createLiftarmCore from '@wasm/liftarm-core.js';
-import type { SolverModule } from '../../web/src/solver/solver-module.ts';
+import type { SolverModule, SolverModuleOptions } from '../../web/src/solver/solver-module.ts';
 
 const TOP = resolve(import.meta.dirname, '../..');
 const COMMAND = join(TOP, 'build/native/liftarm');
 const EXAMPLES = join(TOP, 'public/examples');
 
-/** The module that the page ships, loaded in Node: the tested bytes are the shipped ones. */
+let compiled: Promise<WebAssembly.Module> | undefined;
+
+/** The module that the page ships, loaded in Node: the tested bytes are the shipped ones. Compiled once. */
 export function loadModule(): Promise<SolverModule> {
-  return createLiftarmCore({
-    wasmBinary: readFileSync(join(TOP, 'build/wasm/liftarm-core.wasm')),
-    printErr: () => {},
+  compiled ??= WebAssembly.compile(readFileSync(join(TOP, 'build/wasm/liftarm-core.wasm')));
+  const loading = compiled;
+  return new Promise((resolve, reject) => {
+    const instantiateWasm: SolverModuleOptions['instantiateWasm'] = (imports, done) => {
+      loading
+        .then(async (module) => done(await WebAssembly.instantiate(module, imports), module))
+        .catch(reject);
+      return {};
+    };
+    createLiftarmCore({ instantiateWasm, printErr: () => {} }).then(resolve, reject);
   });
 }
 

@@ -191,25 +191,50 @@ test('a refusal is a result with its message', async () => {
   expect(await result).toEqual({ outcome: 'refused', message: 'not JSON' });
 });
 
-test('a crash rejects every open job, and the next job gets a new worker', async () => {
+test('what a dead worker had not answered is asked of a new one', async () => {
   const { client, worker } = setUp();
   const solve = client.solve('{}', {});
   const check = client.check('model');
   worker(0).onerror?.({ message: 'out of memory' });
-  await expect(solve).rejects.toThrow(SolverError);
-  await expect(check).rejects.toThrow('out of memory');
   expect(worker(0).terminated).toBe(true);
-  const next = client.exportModel('model', 'mpd');
-  worker(1).reply({ kind: 'exported', jobId: 3, text: '0 FILE' });
-  expect(await next).toEqual({ outcome: 'ok', text: '0 FILE' });
+  expect(worker(1).received).toEqual(worker(0).received);
+  worker(1).reply({ kind: 'refused', jobId: 1, message: 'not JSON' });
+  worker(1).reply({ kind: 'checked', jobId: 2, checkJson: '{}' });
+  expect(await solve).toEqual({ outcome: 'refused', message: 'not JSON' });
+  expect(await check).toEqual({ outcome: 'ok', text: '{}' });
 });
 
-test('a failed reply discards the worker', async () => {
+test('a job over which two workers die is given up, and the next one gets a new worker', async () => {
   const { client, worker } = setUp();
   const solve = client.solve('{}', {});
+  worker(0).onerror?.({ message: 'out of memory' });
+  const check = client.check('model');
+  worker(1).onerror?.({ message: 'out of memory' });
+  await expect(solve).rejects.toThrow(SolverError);
+  expect(worker(2).received).toEqual([{ kind: 'check', jobId: 2, modelJson: 'model' }]);
+  worker(2).reply({ kind: 'checked', jobId: 2, checkJson: '{}' });
+  expect(await check).toEqual({ outcome: 'ok', text: '{}' });
+});
+
+test('a failed reply ends its job alone, and its worker', async () => {
+  const { client, worker } = setUp();
+  const solve = client.solve('{}', {});
+  const check = client.check('model');
   worker(0).reply({ kind: 'failed', jobId: 1, message: 'check failed' });
   await expect(solve).rejects.toThrow('check failed');
   expect(worker(0).terminated).toBe(true);
+  worker(1).reply({ kind: 'checked', jobId: 2, checkJson: '{}' });
+  expect(await check).toEqual({ outcome: 'ok', text: '{}' });
+});
+
+test('a cancelled job is not asked again when its worker dies', async () => {
+  const { client, workers, worker } = setUp();
+  const abort = new AbortController();
+  const solve = client.solve('{}', {}, { signal: abort.signal });
+  abort.abort();
+  worker(0).onerror?.({ message: 'out of memory' });
+  expect((await solve).outcome).toBe('cancelled');
+  expect(workers).toHaveLength(1);
 });
 
 test('dispose settles what is open', async () => {

@@ -22,6 +22,8 @@ function startWorker(): WorkerPort {
   thread.on('message', (data: FromWorker) => port.onmessage?.({ data }));
   thread.on('error', (error) => port.onerror?.({ message: String(error) }));
   thread.on('messageerror', () => port.onmessageerror?.());
+  // A thread can end without an error, as when its process takes it down.
+  thread.on('exit', (code) => port.onerror?.({ message: `the thread ended with ${code}` }));
   return port;
 }
 

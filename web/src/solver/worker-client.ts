@@ -36,12 +36,13 @@ export interface SolveWatch {
 }
 
 /**
- * The solver as the page's main thread sees it. Every promise settles exactly once. A job whose signal is aborted
+ * The solver as the page's main thread sees it. Every promise settles exactly once. A worker that dies takes no job
+ * along that it was not made to die by: what was open is asked again of a new one, once. A job whose signal is aborted
  * settles at once: a solve as `cancelled`, everything else by a rejection with the signal's reason; the worker
  * is free again within 100 milliseconds, replaced if it does not answer.
  */
 export interface SolverClient {
-  /** \param sketchJson text of a sketch file. Rejects with SolverError only when the worker crashed. */
+  /** \param sketchJson text of a sketch file. Rejects with SolverError only when workers crashed over it. */
   solve(sketchJson: string, settings: SolveSettings, watch?: SolveWatch): Promise<SolveResult>;
   /** Every check on a model file; `text` is the check report as JSON. */
   check(modelJson: string, signal?: AbortSignal): Promise<TextResult>;
@@ -82,6 +83,8 @@ interface Job {
   readonly onReply: (reply: FromWorker) => void;
   readonly onCrash: (error: SolverError) => void;
   readonly onDispose: () => void;
+  /** Whether a worker has died before it answered, and another was asked. */
+  askedAgain: boolean;
 }
 
 /** A client of whatever worker it is given: the page's, the package's in a browser, or a thread of Node. */
@@ -133,6 +136,7 @@ class WorkerClient implements SolverClient {
         },
         onCrash: (error) => finish(() => reject(error)),
         onDispose: cancelled,
+        askedAgain: false,
       });
     });
   }
@@ -184,6 +188,7 @@ class WorkerClient implements SolverClient {
         onReply: (reply) => finish(() => settleText(reply, { resolve, reject })),
         onCrash: (error) => finish(() => reject(error)),
         onDispose: () => finish(() => reject(new SolverError('the solver was closed'))),
+        askedAgain: false,
       });
     });
   }
@@ -209,7 +214,11 @@ class WorkerClient implements SolverClient {
 
   #replaceWorker(): void {
     this.#discardWorker();
-    for (const job of this.#jobs.values()) {
+    this.#askAgain([...this.#jobs.values()]);
+  }
+
+  #askAgain(jobs: readonly Job[]): void {
+    for (const job of jobs) {
       this.#ensureWorker().postMessage(job.request);
     }
   }
@@ -232,16 +241,31 @@ class WorkerClient implements SolverClient {
       this.#stopping.delete(reply.jobId);
     }
     if (reply.kind === 'failed') {
-      this.#crash(reply.message);
+      this.#fail(reply.jobId, reply.message);
       return;
     }
     this.#jobs.get(reply.jobId)?.onReply(reply);
   }
 
-  /** The worker's state is unknown: discard it and tell everybody who waits for it. */
+  /** A job broke the worker, whose state is unknown: the others are asked of a new one. */
+  #fail(jobId: number, message: string): void {
+    const culprit = this.#jobs.get(jobId);
+    this.#discardWorker();
+    this.#askAgain([...this.#jobs.values()].filter((job) => job !== culprit));
+    culprit?.onCrash(new SolverError(message));
+  }
+
+  /** The worker is gone, and nobody knows by which job: each is asked once more, and given up when that ends alike. */
   #crash(message: string): void {
     this.#discardWorker();
-    for (const job of [...this.#jobs.values()]) {
+    const jobs = [...this.#jobs.values()];
+    const lost = jobs.filter((job) => job.askedAgain);
+    const left = jobs.filter((job) => !job.askedAgain);
+    for (const job of left) {
+      job.askedAgain = true;
+    }
+    this.#askAgain(left);
+    for (const job of lost) {
       job.onCrash(new SolverError(message));
     }
   }

@@ -14,6 +14,7 @@ function setUp() {
   const sent: PathRequest[] = [];
   const told: string[] = [];
   let ended = false;
+  let started = 0;
   const port: LinkagePort = {
     postMessage: (message) => sent.push(message),
     terminate: () => {
@@ -28,10 +29,13 @@ function setUp() {
       onFound: (text) => told.push(`found ${text}`),
       onFailed: (message) => told.push(`failed ${message}`),
     },
-    () => port,
+    () => {
+      started += 1;
+      return port;
+    },
   );
   const say = (data: LinkageMessage) => port.onmessage?.({ data });
-  return { client, sent, told, say, port, isEnded: () => ended };
+  return { client, sent, told, say, port, isEnded: () => ended, starts: () => started };
 }
 
 test('only the answer to the last path is told', () => {
@@ -50,6 +54,17 @@ test('refusals and failures are told with their reason', () => {
   say({ kind: 'refused', id: sent[0]?.id ?? -1, message: 'too short' });
   port.onerror?.({ message: 'gone' });
   expect(told).toEqual(['failed too short', 'failed gone']);
+});
+
+test('a path is asked of another worker after one has failed', () => {
+  const { client, sent, told, say, starts, isEnded } = setUp();
+  client.ask('fatal');
+  say({ kind: 'failed', message: 'unreachable' });
+  expect(isEnded()).toBe(true);
+  client.ask('next');
+  expect(starts()).toBe(2);
+  say({ kind: 'found', id: sent[1]?.id ?? -1, text: 'new', seconds: 1 });
+  expect(told).toEqual(['failed unreachable', 'found new']);
 });
 
 test('nothing is told after the end', () => {

@@ -29,19 +29,30 @@ function startWorker(): LinkagePort {
   }) as LinkagePort;
 }
 
-/** Finds linkages in a worker of its own, which begins with its table at once. */
+/** Finds linkages in a worker of its own, which begins with its table at once. One that fails is not asked again. */
 export function createLinkageClient(
   watch: LinkageWatch,
   start: () => LinkagePort = startWorker,
 ): LinkageClient {
-  const worker = start();
   let last = 0;
-  worker.onerror = (event) => watch.onFailed(event.message ?? 'the worker could not be loaded');
-  worker.onmessage = ({ data }) => {
+  let worker: LinkagePort | null = null;
+  const drop = () => {
+    if (worker) {
+      worker.onmessage = null;
+      worker.onerror = null;
+      worker.terminate();
+      worker = null;
+    }
+  };
+  const fail = (message: string) => {
+    drop();
+    watch.onFailed(message);
+  };
+  const receive = (data: LinkageMessage) => {
     if (data.kind === 'progress') {
       watch.onProgress(data.fraction);
     } else if (data.kind === 'failed') {
-      watch.onFailed(data.message);
+      fail(data.message);
     } else if (data.id === last) {
       if (data.kind === 'found') {
         watch.onFound(data.text, data.seconds);
@@ -50,15 +61,19 @@ export function createLinkageClient(
       }
     }
   };
+  const begin = () => {
+    const begun = start();
+    begun.onerror = (event) => fail(event.message ?? 'the worker could not be loaded');
+    begun.onmessage = ({ data }) => receive(data);
+    return begun;
+  };
+  worker = begin();
   return {
     ask: (pathJson) => {
       last += 1;
+      worker ??= begin();
       worker.postMessage({ id: last, pathJson });
     },
-    dispose: () => {
-      worker.onmessage = null;
-      worker.onerror = null;
-      worker.terminate();
-    },
+    dispose: drop,
   };
 }
