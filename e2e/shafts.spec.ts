@@ -1,5 +1,7 @@
 // Shafts across a frame, coupled by a typed ratio: the model has the gears, and the check turns them.
+import type { Page } from '@playwright/test';
 import {
+  downloaded,
   expect,
   generate,
   openEmpty,
@@ -30,6 +32,26 @@ const FRAME = {
   ],
 };
 
+/** The shafts are played, and taken along as a table, in which one turns fifteen times for the other. */
+async function turns(page: Page): Promise<void> {
+  await page.getByRole('link', { name: 'Move', exact: true }).click();
+  const angle = page.getByRole('slider', { name: 'Angle' });
+  await expect(angle).toBeVisible({ timeout: 90_000 });
+  await expect(page.locator('.motion-list')).toContainText('15 : 1');
+  await expect(angle).toHaveValue('0');
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await expect(angle).not.toHaveValue('0');
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  const table = await downloaded(page, () => page.getByRole('button', { name: 'Table' }).click());
+  const [head = '', ...rows] = table.trim().split('\n');
+  const columns = head.split(',');
+  const last = rows.at(-1)?.split(',').map(Number) ?? [];
+  const turnedBy = (shaft: number) =>
+    Math.abs(last[columns.indexOf(`Shaft ${shaft} (degrees)`)] ?? 0);
+  expect(turnedBy(2)).toBeCloseTo(360, 1);
+  expect(turnedBy(1)).toBeCloseTo(15 * 360, 1);
+}
+
 test('two shafts are coupled at a typed ratio, and the model is buildable with its gears', async ({
   page,
 }) => {
@@ -47,6 +69,7 @@ test('two shafts are coupled at a typed ratio, and the model is buildable with i
     .toEqual([{ from: 0, to: 1, ratio: 15 }]);
   await generate(page);
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
+  await turns(page);
   await runCommand(page, 'Remove all shafts and gears');
   await expect
     .poll(async () => Object.keys((await savedSketch(page)) ?? {}))

@@ -1,11 +1,10 @@
-#include "analysis/drive_check.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 
+#include "analysis/drive_check.h"
 #include "analysis/motion_collisions.h"
 #include "base/index.h"
 #include "model/number_text.h"
@@ -21,7 +20,6 @@ using lattice::Vec3;
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kSteps = 24;          // over a turn of the slowest shaft of a train
 constexpr double kRounding = 1e-9;  // of a ratio
-constexpr double kOnLine = 0.06;    // modules: as far as a head may be off its hole's line
 
 class DriveJudge {
  public:
@@ -31,7 +29,7 @@ class DriveJudge {
   ItemResult judge() {
     std::vector<std::optional<int>> axles;
     for (std::size_t i = 0; i < shafts_.shafts.size(); ++i) {
-      axles.push_back(axleOf(shafts_.shafts[i]));
+      axles.push_back(axleAlong(scene_, shafts_.shafts[i]));
       judgeShaft(static_cast<int>(i), axles.back());
     }
     int turning = 0;
@@ -52,31 +50,6 @@ class DriveJudge {
  private:
   void fail(const std::string& message, Vec3 place, std::vector<int> parts) {
     result_.problems.push_back({"drive", message, place, std::move(parts)});
-  }
-
-  //! The axle that lies along a drawn shaft from end to end.
-  [[nodiscard]] std::optional<int> axleOf(const sketch::Shaft& shaft) const {
-    const Vec3 from = lattice::toVec3(shaft.from);
-    const Vec3 to = lattice::toVec3(shaft.to);
-    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
-      const parts::Part* part = scene_.parts[i].part;
-      if (part == nullptr || part->partClass != parts::PartClass::kAxle) {
-        continue;
-      }
-      const parts::Feature& axle = part->features.front();
-      const lattice::Pose& pose = scene_.model->parts[i].pose;
-      const Vec3 middle = pose.apply(axle.center);
-      const Vec3 along = lattice::normalized(pose.rotation * axle.axis);
-      const auto onIt = [&](Vec3 p) {
-        const double place = lattice::dot(p - middle, along);
-        return lattice::length(p - middle - place * along) <= kOnLine &&
-               std::abs(place) <= 0.5 * axle.length - 0.5 + kOnLine;
-      };
-      if (onIt(from) && onIt(to)) {
-        return static_cast<int>(i);
-      }
-    }
-    return std::nullopt;
   }
 
   //! The shaft with gears that an axle belongs to.
@@ -164,7 +137,7 @@ class DriveJudge {
 
   //! Turns each train once round by its slowest shaft.
   void turnAll() {
-    if (shafts_.drives.empty()) {
+    if (shafts_.empty()) {
       return;
     }
     std::vector<int> bodyOf(scene_.parts.size(), 0);

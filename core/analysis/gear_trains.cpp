@@ -1,15 +1,15 @@
-#include "analysis/gear_trains.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
 
+#include "analysis/gear_trains.h"
 #include "analysis/union_find.h"
 #include "base/det_math.h"
 #include "base/index.h"
 #include "parts/gear_teeth.h"
+#include "sketch/shaft_json.h"
 
 namespace liftarm::analysis {
 
@@ -22,6 +22,7 @@ constexpr double kTeethPerModule = 16.0;
 constexpr double kAddendum = 0.125;       // of teeth beyond the pitch circle
 constexpr double kSamePlane = 0.5;        // modules along the shafts that gears in mesh are apart
 constexpr double kParallelAxes = 0.9998;  // cosine
+constexpr double kOnLine = 0.06;          // modules: as far as a head may be off its hole's line
 
 //! A gear as it stands.
 struct Wheel {
@@ -59,6 +60,14 @@ class TrainsFinder {
         shaftOfGroup.emplace(rigid_.find(static_cast<int>(i)), 0);
       }
     }
+    const sketch::Shafts drawn = sketch::shaftsOf(scene_.model->sketchJson);
+    std::vector<std::optional<int>> axles;
+    for (const sketch::Shaft& shaft : drawn.shafts) {
+      axles.push_back(axleAlong(scene_, shaft));
+      if (axles.back().has_value()) {
+        shaftOfGroup.emplace(rigid_.find(*axles.back()), 0);
+      }
+    }
     int count = 0;
     for (auto& [group, shaft] : shaftOfGroup) {
       shaft = count++;
@@ -71,8 +80,13 @@ class TrainsFinder {
         trains_.shafts[at(found->second)].parts.push_back(static_cast<int>(i));
       }
     }
+    for (std::size_t i = axles.size(); i-- > 0;) {
+      if (axles[i].has_value()) {
+        trains_.shafts[at(shaftOf_[at(*axles[i])])].drawn = static_cast<int>(i);
+      }
+    }
     for (std::size_t s = 0; s < trains_.shafts.size(); ++s) {
-      measure(static_cast<int>(s));
+      measure(static_cast<int>(s), axles);
     }
   }
 
@@ -93,13 +107,21 @@ class TrainsFinder {
   }
 
   //! Axis, bearings and what keeps the shaft.
-  void measure(int index) {
+  void measure(int index, const std::vector<std::optional<int>>& axles) {
     GearShaft& shaft = trains_.shafts[at(index)];
     const auto gear = std::find_if(
         shaft.parts.begin(), shaft.parts.end(), [&](int part) { return teethOf(part) > 0; });
-    const Wheel wheel = wheelOf(*gear);
-    shaft.at = wheel.middle;
-    shaft.axis = wheel.axis;
+    if (gear != shaft.parts.end()) {
+      const Wheel wheel = wheelOf(*gear);
+      shaft.at = wheel.middle;
+      shaft.axis = wheel.axis;
+    } else {
+      const std::size_t axle = at(*axles[at(*shaft.drawn)]);
+      const parts::Feature& cross = scene_.parts[axle].part->features.front();
+      const lattice::Pose& pose = scene_.model->parts[axle].pose;
+      shaft.at = pose.apply(cross.center);
+      shaft.axis = lattice::normalized(pose.rotation * cross.axis);
+    }
     // Speeds of two shafts compare where their axes point the same way.
     const double sign = shaft.axis.x + shaft.axis.y + shaft.axis.z;
     shaft.axis = sign < 0.0 ? -shaft.axis : shaft.axis;
@@ -204,6 +226,55 @@ class TrainsFinder {
 };
 
 }  // namespace
+
+std::optional<int> axleAlong(const Scene& scene, const sketch::Shaft& shaft) {
+  const Vec3 from = lattice::toVec3(shaft.from);
+  const Vec3 to = lattice::toVec3(shaft.to);
+  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+    const parts::Part* part = scene.parts[i].part;
+    if (part == nullptr || part->partClass != parts::PartClass::kAxle) {
+      continue;
+    }
+    const parts::Feature& axle = part->features.front();
+    const lattice::Pose& pose = scene.model->parts[i].pose;
+    const Vec3 middle = pose.apply(axle.center);
+    const Vec3 along = lattice::normalized(pose.rotation * axle.axis);
+    const auto onIt = [&](Vec3 p) {
+      const double place = lattice::dot(p - middle, along);
+      return lattice::length(p - middle - place * along) <= kOnLine &&
+             std::abs(place) <= 0.5 * axle.length - 0.5 + kOnLine;
+    };
+    if (onIt(from) && onIt(to)) {
+      return static_cast<int>(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string whyTrainIsStiff(const GearTrains& trains, int train) {
+  const auto in = [&](int shaft) { return trains.shafts[at(shaft)].train == train; };
+  for (const int mesh : trains.binding) {
+    if (in(trains.meshes[at(mesh)].shaftA)) {
+      return "Does not turn: its gears ask one shaft for two speeds.";
+    }
+  }
+  const auto holds = [&](int part) {
+    return std::any_of(trains.shafts.begin(), trains.shafts.end(), [&](const GearShaft& shaft) {
+      return shaft.train == train &&
+             std::binary_search(shaft.parts.begin(), shaft.parts.end(), part);
+    });
+  };
+  for (const auto& [a, b] : trains.clashes) {
+    if (holds(a) || holds(b)) {
+      return "Does not turn: two gears are too near to pass each other and do not mesh.";
+    }
+  }
+  const bool turns =
+      std::all_of(trains.shafts.begin(), trains.shafts.end(), [&](const GearShaft& shaft) {
+        return shaft.train != train || shaft.turns;
+      });
+  return turns ? "" : "Does not turn: more than its bearings holds one of its shafts.";
+}
 
 GearTrains findGearTrains(const Scene& scene) {
   return TrainsFinder(scene).find();

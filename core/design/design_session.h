@@ -78,7 +78,9 @@ base::Result<std::string> analyseStressJson(std::string_view modelJson,
 //! [{"joint": index or null, "parts": [..], "velocities": [[vx,vy,vz, wx,wy,wz] about the world's
 //! origin, per listed part]}], "joints": [{"index", "joint": of the sketch, "turns", "from", "to":
 //! degrees, "stoppedBy": {"from": [two parts] or [], "to"}, "message", "bodies": [two of `between`]
-//! where the joint has more than two: then each two of them have a row}], "balance": {"stable",
+//! where the joint has more than two: then each two of them have a row}], "trains": [{"index",
+//! "turns", "message", "shafts": [{"parts", "drawn": of the sketch or null, "at", "axis": [x,y,z],
+//! "speed": turns about its axis for one of the first shaft}]}], "balance": {"stable",
 //! "centre": [x,y,z], "polygon":
 //! [[x,y]], "ground": z, "margin": modules, "tippingAngle": degrees, "direction": [x,y]} or null,
 //! "braces": [{"lines": [two], "from", "to": [x,y,z], "message"}]}.

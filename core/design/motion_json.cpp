@@ -113,6 +113,33 @@ ordered_json jointsJson(const std::vector<analysis::JointRange>& joints) {
   return result;
 }
 
+//! Those trains that a person may want to turn: of two shafts and more, or drawn.
+ordered_json trainsJson(const analysis::GearTrains& trains) {
+  ordered_json result = ordered_json::array();
+  for (int train = 0; train < trains.trains; ++train) {
+    ordered_json shafts = ordered_json::array();
+    bool wanted = false;
+    for (const analysis::GearShaft& shaft : trains.shafts) {
+      if (shaft.train == train) {
+        wanted = wanted || !shafts.empty() || shaft.drawn.has_value();
+        shafts.push_back({{"parts", shaft.parts},
+                          {"drawn", shaft.drawn ? ordered_json(*shaft.drawn) : ordered_json()},
+                          {"at", pointJson(shaft.at)},
+                          {"axis", pointJson(shaft.axis)},
+                          {"speed", shaft.speed}});
+      }
+    }
+    if (wanted) {
+      const std::string why = analysis::whyTrainIsStiff(trains, train);
+      result.push_back({{"index", result.size()},
+                        {"turns", why.empty()},
+                        {"message", why},
+                        {"shafts", std::move(shafts)}});
+    }
+  }
+  return result;
+}
+
 //! Position and unit quaternion (x, y, z, w).
 ordered_json poseJson(const lattice::Pose& pose) {
   const std::array<double, 4> q = quaternionOf(pose.rotation);
@@ -190,7 +217,8 @@ ordered_json motionJson(const analysis::MotionReport& report) {
   ordered_json json{{"freedoms", freedomsJson(report)},
                     {"groups", report.free.groupOf},
                     {"motions", motionsJson(report.free)},
-                    {"joints", jointsJson(report.joints)}};
+                    {"joints", jointsJson(report.joints)},
+                    {"trains", trainsJson(report.trains)}};
   json["balance"] = report.balance ? balanceJson(*report.balance) : ordered_json();
   json["braces"] = bracesJson(report.braces);
   return json;

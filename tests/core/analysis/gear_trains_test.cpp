@@ -70,6 +70,32 @@ TEST(GearTrains, GearsThatDoNotReachEachOtherAreTrainsOfTheirOwn) {
   EXPECT_EQ(trains.trains, 2);
 }
 
+TEST(GearTrains, KnowWhichShaftOfTheSketchTheyAre) {
+  model::Model model = twoShafts("10928", "3649", 3.0);
+  model.sketchJson = std::string(kHead) + "5}]}";
+  const GearTrains trains = trainsOf(model);
+  ASSERT_EQ(trains.shafts.size(), 2U);
+  EXPECT_EQ(trains.shafts[0].drawn, 0);
+  EXPECT_EQ(trains.shafts[1].drawn, 1);
+}
+
+TEST(GearTrains, ADrawnShaftWithoutGearsIsATrainOfItsOwn) {
+  model::Model model = twoShafts("10928", "3649", 3.0);
+  model.sketchJson = std::string(kHead) + "5}]}";
+  model.parts[4].part = "3713";  // where its gear was
+  const GearTrains trains = trainsOf(model);
+  ASSERT_EQ(trains.trains, 2);
+  EXPECT_EQ(trains.shafts[0].drawn, 0);
+  EXPECT_TRUE(trains.shafts[0].turns);
+  EXPECT_NEAR(lattice::length(lattice::cross(trains.shafts[0].axis, {0, 1, 0})), 0.0, 1e-12);
+}
+
+TEST(GearTrains, TurnWhereNothingHoldsThem) {
+  EXPECT_EQ(whyTrainIsStiff(trainsOf(twoShafts("10928", "3649", 3.0)), 0), "");
+  EXPECT_EQ(whyTrainIsStiff(trainsOf(twoShafts("94925", "10928", 1.6)), 0),
+            "Does not turn: two gears are too near to pass each other and do not mesh.");
+}
+
 TEST(GearTrains, GearsBetweenMeshAndPassingClash) {
   EXPECT_EQ(trainsOf(twoShafts("94925", "10928", 1.6)).clashes.size(), 1U);
 }
@@ -121,6 +147,7 @@ TEST(Drives, NameGearsThatBind) {
   const GearTrains trains = trainsOf(model);
   EXPECT_EQ(trains.meshes.size(), 3U);
   EXPECT_EQ(trains.binding.size(), 1U);
+  EXPECT_EQ(whyTrainIsStiff(trains, 0), "Does not turn: its gears ask one shaft for two speeds.");
 }
 
 }  // namespace

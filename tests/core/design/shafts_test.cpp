@@ -51,6 +51,20 @@ TEST(ShaftsInAModel, ItsSketchStillSaysWhatTurns) {
   EXPECT_EQ(model.sketchJson.find("keepOut"), std::string::npos);
 }
 
+TEST(ShaftsInAModel, ItsMotionHasTheTrainWithTheSpeedsOfItsShafts) {
+  const std::string text = analyseMotionJson(model::writeModel(solved(kGearbox))).value();
+  const nlohmann::json trains = nlohmann::json::parse(text).at("trains");
+  ASSERT_EQ(trains.size(), 1U);
+  EXPECT_TRUE(trains[0].at("turns").get<bool>());
+  double first = 0.0;
+  double second = 0.0;
+  for (const nlohmann::json& shaft : trains[0].at("shafts")) {
+    (shaft.at("drawn") == 0 ? first : second) =
+        shaft.at("drawn").is_null() ? second : shaft.at("speed").get<double>();
+  }
+  EXPECT_NEAR(first / second, 15.0, 0.45);
+}
+
 TEST(ShaftsInAModel, ThePapersMethodRefusesThem) {
   const auto session = DesignSession::create(kGearbox, R"({"method": "paper"})");
   ASSERT_FALSE(session.ok());

@@ -1,5 +1,6 @@
 import { cross, dot, length, normalize, rotate, subtract, type Vec3 } from '../geometry/vec.ts';
 import type { Catalogue } from './catalogue.ts';
+import type { GearTrain } from './gear-motion.ts';
 import type { Model } from './model.ts';
 import type { MovedPart } from './motion.ts';
 import { pointOf } from './motion-follow.ts';
@@ -75,12 +76,40 @@ export function traceOf(
   return rest ? moments.map(({ driven }) => pointOf(mixedPose(driven, part) ?? rest, local)) : [];
 }
 
-/** Two bodies at a joint, each by one of its parts. */
-export interface JointPair {
-  /** Of the sketch. */
-  readonly joint: number;
+/** Two bodies that turn against each other, each by one of its parts. */
+export interface TurningPair {
   readonly axis: Vec3;
   readonly parts: readonly [number, number];
+}
+
+/** Two bodies at a joint. */
+export interface JointPair extends TurningPair {
+  /** Of the sketch. */
+  readonly joint: number;
+}
+
+/** A shaft and what it turns in. */
+export interface ShaftPair extends TurningPair {
+  /** Of the sketch. */
+  readonly shaft: number;
+}
+
+/** The shafts of the drawing, each against the largest body of the model. */
+export function shaftPairs(trains: readonly GearTrain[], groups: readonly number[]): ShaftPair[] {
+  const sizes = new Map<number, number>();
+  for (const group of groups) {
+    sizes.set(group, (sizes.get(group) ?? 0) + 1);
+  }
+  const [largest] = [...sizes].sort(([, a], [, b]) => b - a)[0] ?? [];
+  const frame = largest === undefined ? -1 : groups.indexOf(largest);
+  return trains
+    .flatMap(({ shafts }) => shafts)
+    .flatMap(({ drawn, axis, parts: [part] }) =>
+      drawn === null || part === undefined || frame < 0
+        ? []
+        : [{ shaft: drawn, axis, parts: [frame, part] as const }],
+    )
+    .sort((a, b) => a.shaft - b.shaft);
 }
 
 /** How far beside a joint's axis a hole may lie that is on it, and how far along it, modules. */
@@ -134,7 +163,7 @@ function isOnAxis(hole: Ray, axis: Ray): boolean {
 }
 
 /** The angle of a joint at some moments, degrees from the drawn pose, without leaps at half a turn. */
-export function anglesOf(model: Model, pair: JointPair, moments: readonly Moment[]): number[] {
+export function anglesOf(model: Model, pair: TurningPair, moments: readonly Moment[]): number[] {
   const turns = moments.map(({ driven }) => turnOf(model, pair, driven));
   let before = turns[0] ?? 0;
   return turns.map((turn) => {
@@ -143,7 +172,7 @@ export function anglesOf(model: Model, pair: JointPair, moments: readonly Moment
   });
 }
 
-function turnOf(model: Model, { axis, parts }: JointPair, driven: readonly Driven[]): number {
+function turnOf(model: Model, { axis, parts }: TurningPair, driven: readonly Driven[]): number {
   const [a, b] = parts.map((part) => {
     const rest: MovedPart | undefined = model.parts[part];
     return rest && displacement(rest, mixedPose(driven, part) ?? rest).rotation;

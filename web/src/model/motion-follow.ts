@@ -26,11 +26,18 @@ const REFINEMENTS = 12;
  * The angle at which something is least off, near the present one: what is dragged must not leap to the other side of
  * its way.
  * @param off how far off it is at an angle, CSS pixels.
+ * @param gearing degrees of the motion for one of what is dragged.
  */
-export function nearestAngle(span: Span, now: number, off: (degrees: number) => number): number {
-  const cost = (turn: number) => off(within(span, now + turn)) + STAY * Math.abs(turn);
+export function nearestAngle(
+  span: Span,
+  now: number,
+  off: (degrees: number) => number,
+  gearing = 1,
+): number {
+  const at = (turn: number) => now + turn * gearing;
+  const cost = (turn: number) => off(within(span, at(turn))) + STAY * Math.abs(turn);
   const legal = (turn: number) =>
-    isFullTurn(span) || (now + turn >= span.from && now + turn <= span.to);
+    isFullTurn(span) || (at(turn) >= span.from && at(turn) <= span.to);
   let best = 0;
   for (let turn = -REACH; turn <= REACH; turn += STEP) {
     if (legal(turn) && cost(turn) < cost(best)) {
@@ -43,5 +50,5 @@ export function nearestAngle(span: Span, now: number, off: (degrees: number) => 
     const around = [best - reach, best + reach].filter(legal);
     best = around.reduce((a, b) => (cost(b) < cost(a) ? b : a), best);
   }
-  return within(span, now + best);
+  return within(span, at(best));
 }

@@ -2,16 +2,23 @@
 export interface Span {
   readonly from: number;
   readonly to: number;
+  /** Whether the greatest is the least again; where it is left out, a full turn is. */
+  readonly round?: boolean;
 }
 
 /** The angles that a motion has. */
-export function spanOf({ angles }: { readonly angles: readonly number[] }): Span {
-  return { from: angles[0] ?? 0, to: angles.at(-1) ?? 0 };
+export function spanOf(path: {
+  readonly angles: readonly number[];
+  readonly round?: boolean;
+}): Span {
+  const { angles, round } = path;
+  const ends = { from: angles[0] ?? 0, to: angles.at(-1) ?? 0 };
+  return round === undefined ? ends : { ...ends, round };
 }
 
 /** Whether a motion that goes on at one end comes in at the other. */
-export function isFullTurn({ from, to }: Span): boolean {
-  return to - from >= 359;
+export function isFullTurn({ from, to, round }: Span): boolean {
+  return round ?? to - from >= 359;
 }
 
 /** The angle within a span; over its ends where it is a full turn. */

@@ -1,4 +1,5 @@
 import type { Mat3, Vec3 } from '../geometry/vec.ts';
+import { type GearTrain, type Spin, spun } from './gear-motion.ts';
 
 /** How a model stands and moves; mirrors analyseMotionJson in core/design/design_session.h. */
 export interface MotionAnswer {
@@ -15,6 +16,8 @@ export interface MotionAnswer {
   readonly groups: readonly number[];
   readonly motions: readonly FreeMotion[];
   readonly joints: readonly JointRange[];
+  /** What turns on shafts: those that gears couple, and those of the drawing. */
+  readonly trains: readonly GearTrain[];
   readonly balance: Balance | null;
   readonly braces: readonly Brace[];
 }
@@ -68,6 +71,12 @@ export interface MotionPath {
   /** Degrees, rising. */
   readonly angles: readonly number[];
   readonly poses: readonly (readonly PathPose[])[];
+  /** Instead of key poses, for each of the parts: all turn about fixed axes. */
+  readonly spins?: readonly Spin[];
+  /** Whether the last angle is the first again; where it is left out, a full turn is. */
+  readonly round?: boolean;
+  /** How fast it is played, of what is usual; 1 when left out. */
+  readonly pace?: number;
 }
 
 /** A part in its place. */
@@ -105,6 +114,7 @@ export function poseAt(path: MotionPath, degrees: number, i: number): MovedPart 
 
 /** Two key poses, and the share of the second. */
 interface Key {
+  readonly degrees: number;
   readonly first: number;
   readonly last: number;
   readonly share: number;
@@ -116,10 +126,18 @@ function keyAt({ angles }: MotionPath, degrees: number): Key {
   const first = Math.max(0, last - 1);
   const [a, b] = [angles[first] ?? 0, angles[last] ?? 0];
   const share = b > a ? Math.min(1, Math.max(0, (degrees - a) / (b - a))) : 0;
-  return { first, last, share };
+  return { degrees, first, last, share };
 }
 
-function placeAt({ poses }: MotionPath, { first, last, share }: Key, i: number): MovedPart | null {
+function placeAt(
+  { poses, spins }: MotionPath,
+  { degrees, first, last, share }: Key,
+  i: number,
+): MovedPart | null {
+  const spin = spins?.[i];
+  if (spin) {
+    return spun(spin, degrees);
+  }
   const [p, q] = [poses[first]?.[i], poses[last]?.[i]];
   return p && q ? between(p, q, share) : null;
 }

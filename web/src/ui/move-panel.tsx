@@ -8,7 +8,7 @@ import type { ShownModel } from './page.ts';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
 
-/** The place for motion: each joint turned, and what else moves. */
+/** The place for motion: each joint and shaft turned, and what else moves. */
 export function MovePanel() {
   const page = usePage();
   const shown = page.shown.value;
@@ -20,10 +20,11 @@ export function MovePanel() {
       </>
     );
   }
-  const joints = page.store.sketch.value.joints?.length ?? 0;
+  const { joints = [], shafts = [] } = page.store.sketch.value;
+  const turning = joints.length + shafts.length;
   return (
     <>
-      <section class="move-joints">{joints > 0 ? <Joints shown={shown} /> : <NoJoints />}</section>
+      <section class="move-joints">{turning > 0 ? <Joints shown={shown} /> : <NoJoints />}</section>
       <section class="checks-section">
         <h3>{text.places.looseTitle}</h3>
         <ul class="checks">
@@ -65,6 +66,9 @@ function Joints({ shown }: { readonly shown: ShownModel }) {
 function ChangeJoints() {
   const page = usePage();
   const sketch = page.store.sketch.value;
+  if (!sketch.joints?.length) {
+    return null;
+  }
   const change = (index: number) => {
     page.joint.value = placeOfJoint(sketch, index);
     page.useTool('joint');

@@ -1,20 +1,20 @@
 import type { ComponentChildren, ComponentType } from 'preact';
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import type { JointRange, MotionAnswer } from '../../model/motion.ts';
+import type { MotionAnswer } from '../../model/motion.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { type Driver, MotionBoard } from '../motion/motion-board.ts';
 import type { MotionToolsProps } from '../motion/motion-tools.tsx';
 import { Transport } from '../motion/transport.tsx';
-import { formatNumber } from '../text/language.ts';
 import type { CheckProps, CheckStatus, CheckView } from './check-registry.ts';
 import { useSceneDisplay } from './motion-player.tsx';
 import { answerOf, motionStatus } from './motion-status.ts';
-import { type MotionStudy, type Mover, motionStudyOf } from './motion-study.ts';
+import { type MotionStudy, motionStudyOf } from './motion-study.ts';
 import { motionWords as words } from './motion-words.ts';
+import { isSame, type Turnable, turnablesOf } from './turnables.ts';
 import './motion.css';
 import { inWords } from '../text/sentences.ts';
 
-/** Each joint of the sketch with its range; one of them can be turned. */
+/** Each joint of the sketch with its range, each train of shafts; one of them can be turned. */
 export const JOINTS_CHECK: CheckView = {
   id: 'joint-ranges',
   title: words.joints,
@@ -22,42 +22,30 @@ export const JOINTS_CHECK: CheckView = {
   component: JointsCheck,
 };
 
-function statusOf({ joints }: MotionAnswer): CheckStatus {
-  if (joints.length === 0) {
+function statusOf(answer: MotionAnswer): CheckStatus {
+  const all = turnablesOf(answer);
+  if (all.length === 0) {
     return { state: 'none', number: words.noJoints };
   }
-  const turning = joints.filter((joint) => joint.turns).length;
-  const [only] = joints;
+  const turning = all.filter((each) => each.turns).length;
+  const [only] = all;
   return {
-    state: turning === joints.length ? 'ok' : 'bad',
-    number: joints.length === 1 && only ? rangeText(only) : `${turning} / ${joints.length}`,
+    state: turning === all.length ? 'ok' : 'bad',
+    number: all.length === 1 && only ? only.says : `${turning} / ${all.length}`,
   };
-}
-
-export function rangeText(range: JointRange): string {
-  if (!range.turns) {
-    return words.stiff;
-  }
-  return range.to - range.from >= 359
-    ? words.fullTurn
-    : words.range(formatNumber(range.from), formatNumber(range.to));
-}
-
-function nameOf({ joint, bodies }: JointRange): string {
-  const name = words.joint(String(joint + 1));
-  return bodies ? words.bodies(name, String(bodies[0] + 1), String(bodies[1] + 1)) : name;
 }
 
 function JointsCheck({ shown }: CheckProps) {
   const onDisplay = useSceneDisplay();
   const answer = answerOf(shown);
+  const rows = useMemo(() => (answer ? turnablesOf(answer, shown.sketch) : []), [answer, shown]);
   if (!answer) {
     return null;
   }
   const study = motionStudyOf(shown);
   return (
     <JointList
-      joints={answer.joints}
+      joints={rows}
       study={study}
       onDisplay={onDisplay}
       tools={(board, onDrive) => (
@@ -83,9 +71,9 @@ function LateTools(props: MotionToolsProps) {
   return Tools ? <Tools {...props} /> : null;
 }
 
-/** The joints with their ranges; those that are chosen can be turned. */
+/** What turns, with its range; those that are chosen can be turned. */
 export function JointList(props: {
-  readonly joints: readonly JointRange[];
+  readonly joints: readonly Turnable[];
   readonly study: MotionStudy;
   readonly onDisplay: (display: PartDisplay | null) => void;
   /** What else can be done with the motion of the model in the drawing. */
@@ -99,30 +87,35 @@ export function JointList(props: {
   useEffect(() => {
     setNote('');
     if (chosen?.turns) {
-      void board.choose(moverOf(chosen), chosen);
+      void board.choose(chosen.mover, chosen.range);
     }
   }, [board, chosen]);
   if (joints.length === 0) {
     return <p class="quiet">{words.aboutNoJoints}</p>;
   }
-  const toggle = async (joint: JointRange) => {
-    const done = await board.toggle(moverOf(joint), joint);
-    setNote(done === 'not together' ? words.notTogether(nameOf(joint)) : '');
+  const toggle = async (joint: Turnable) => {
+    const done = await board.toggle(joint.mover, joint.range);
+    setNote(done === 'not together' ? words.notTogether(joint.name) : '');
   };
   return (
     <>
       <ul class="motion-list">
         {joints.map((joint, i) => (
-          <JointRow key={joint.index} joint={joint} open={open === i} onOpen={() => setOpen(i)}>
+          <JointRow
+            key={`${joint.mover.of} ${joint.mover.index}`}
+            joint={joint}
+            open={open === i}
+            onOpen={() => setOpen(i)}
+          >
             {open !== i && joint.turns && chosen?.turns ? (
               <label class="motion-too">
                 <input
                   type="checkbox"
-                  checked={board.drives(moverOf(joint))}
+                  checked={board.drives(joint.mover)}
                   onChange={() => void toggle(joint)}
                 />{' '}
                 {words.too}
-                <span class="visually-hidden"> {nameOf(joint)}</span>
+                <span class="visually-hidden"> {joint.name}</span>
               </label>
             ) : null}
           </JointRow>
@@ -144,7 +137,7 @@ export function JointList(props: {
 }
 
 function JointRow(props: {
-  readonly joint: JointRange;
+  readonly joint: Turnable;
   readonly open: boolean;
   readonly onOpen: () => void;
   readonly children: ComponentChildren;
@@ -153,20 +146,15 @@ function JointRow(props: {
   return (
     <li>
       <button type="button" class="button" aria-pressed={open} onClick={onOpen}>
-        {nameOf(joint)}
+        {joint.name}
       </button>{' '}
-      <span class="quiet">{rangeText(joint)}</span>
+      <span class="quiet">{joint.says}</span>
       {children}
       {joint.turns ? null : <p class="quiet">{inWords(joint.message)}</p>}
     </li>
   );
 }
 
-function moverOf({ index }: JointRange): Mover {
-  return { of: 'joint', index };
-}
-
-function nameIn(joints: readonly JointRange[], { mover }: Driver): string {
-  const joint = joints.find(({ index }) => index === mover.index);
-  return joint ? nameOf(joint) : '';
+function nameIn(joints: readonly Turnable[], { mover }: Driver): string {
+  return joints.find((joint) => isSame(joint.mover, mover))?.name ?? '';
 }

@@ -1,16 +1,19 @@
 import { type ReadonlySignal, signal } from '@preact/signals';
+import { type GearTrain, trainPath } from '../../model/gear-motion.ts';
 import {
   type MotionAnswer,
   type MotionPath,
+  type MovedPart,
   readMotionAnswer,
   readMotionPath,
 } from '../../model/motion.ts';
+import type { Drive } from '../../model/shafts.ts';
 import type { SolverClient } from '../../solver/worker-client.ts';
 import { roomSolver } from '../share/room-solver.ts';
 
-/** What is moved: an annotated joint, or one of the free motions. */
+/** What is moved: an annotated joint, one of the free motions, or shafts with their gears. */
 export interface Mover {
-  readonly of: 'joint' | 'motion';
+  readonly of: 'joint' | 'motion' | 'train';
   readonly index: number;
 }
 
@@ -18,6 +21,12 @@ export type MotionProgress =
   | { readonly state: 'waiting' }
   | { readonly state: 'done'; readonly answer: MotionAnswer }
   | { readonly state: 'failed'; readonly message: string };
+
+/** What the motion of a train takes from a model's file. */
+interface ModelOfTrain {
+  readonly parts: readonly MovedPart[];
+  readonly sketch?: { readonly drives?: readonly Drive[] };
+}
 
 type Asker = Pick<SolverClient, 'ask'>;
 
@@ -28,6 +37,7 @@ export class MotionStudy {
   readonly #progress = signal<MotionProgress>({ state: 'waiting' });
   readonly #paths = new Map<string, Promise<MotionPath>>();
   #started = false;
+  #answer: Promise<MotionAnswer> | null = null;
 
   constructor(modelJson: string, solver: () => Asker = roomSolver) {
     this.#json = modelJson;
@@ -47,7 +57,12 @@ export class MotionStudy {
   }
 
   /** How the model stands and moves. Rejects when it cannot be computed. */
-  async answer(): Promise<MotionAnswer> {
+  answer(): Promise<MotionAnswer> {
+    this.#answer ??= this.#askAnswer();
+    return this.#answer;
+  }
+
+  async #askAnswer(): Promise<MotionAnswer> {
     const reply = await this.#solver().ask({ about: 'motion', modelJson: this.#json });
     if (reply.outcome !== 'ok') {
       throw new Error(reply.message);
@@ -67,12 +82,24 @@ export class MotionStudy {
     return asked;
   }
 
-  async #askPath(mover: Mover): Promise<MotionPath> {
-    const reply = await this.#solver().ask({ about: 'path', modelJson: this.#json, ...mover });
+  async #askPath({ of, index }: Mover): Promise<MotionPath> {
+    if (of === 'train') {
+      const { trains } = await this.answer();
+      return this.#pathOfTrain(trains[index]);
+    }
+    const reply = await this.#solver().ask({ about: 'path', modelJson: this.#json, of, index });
     if (reply.outcome !== 'ok') {
       throw new Error(reply.message);
     }
     return readMotionPath(reply.text);
+  }
+
+  #pathOfTrain(train: GearTrain | undefined): MotionPath {
+    if (!train) {
+      throw new Error('there is no such train');
+    }
+    const { parts, sketch } = JSON.parse(this.#json) as ModelOfTrain;
+    return trainPath(train, parts, sketch?.drives);
   }
 
   async #ask(): Promise<void> {

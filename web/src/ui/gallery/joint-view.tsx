@@ -3,10 +3,11 @@ import type { Vec3 } from '../../geometry/vec.ts';
 import { modelCorners } from '../../model/bounds.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
 import type { PlacedPart } from '../../model/model.ts';
-import { type MotionAnswer, posesAt } from '../../model/motion.ts';
+import { posesAt } from '../../model/motion.ts';
 import type { PartDisplay } from '../../view/view-types.ts';
 import { JointList } from '../checks/joints.tsx';
 import { MotionStudy } from '../checks/motion-study.ts';
+import { type Turnable, turnablesOf } from '../checks/turnables.ts';
 import { type SolvedParts, solveSketch } from '../share/solved-parts.ts';
 import { type GalleryRow, loadGallerySketch, loadMade } from './gallery-index.ts';
 import { GalleryView, type GalleryViewProps } from './gallery-view.tsx';
@@ -16,11 +17,11 @@ import { MovingPicture } from './moving-picture.tsx';
 interface Moving {
   readonly parts: readonly PlacedPart[];
   readonly study: MotionStudy;
-  readonly answer: MotionAnswer;
+  readonly turnables: readonly Turnable[];
   readonly frame: readonly Vec3[];
 }
 
-/** A gallery model whose joints turn: each by its own slider, within its range. */
+/** A gallery model whose joints and shafts turn: each by its own slider, within its range. */
 export function JointView(props: GalleryViewProps) {
   return (
     <GalleryView {...props} load={load}>
@@ -31,11 +32,11 @@ export function JointView(props: GalleryViewProps) {
 
 function Joints({ moving }: { readonly moving: Moving }) {
   const [display, setDisplay] = useState<PartDisplay | null>(null);
-  const { parts, frame, answer, study } = moving;
+  const { parts, frame, turnables, study } = moving;
   return (
     <div class="gallery-moving">
       <MovingPicture parts={parts} frame={frame} display={display} label={words.jointsLabel} />
-      <JointList joints={answer.joints} study={study} onDisplay={setDisplay} />
+      <JointList joints={turnables} study={study} onDisplay={setDisplay} />
     </div>
   );
 }
@@ -45,8 +46,8 @@ async function load(row: GalleryRow, preset: string, catalogue: Catalogue): Prom
   const { json, parts } =
     (await madeParts(row, preset)) ?? (await solveSketch(sketch, { preset, seed: 1 }));
   const study = new MotionStudy(json);
-  const answer = await study.answer();
-  return { parts, study, answer, frame: await sweptPoints(parts, study, answer, catalogue) };
+  const turnables = turnablesOf(await study.answer(), sketch);
+  return { parts, study, turnables, frame: await sweptPoints(parts, study, turnables, catalogue) };
 }
 
 /** The model that comes with the page, if it is one of this preset. */
@@ -66,12 +67,12 @@ async function madeParts(
 async function sweptPoints(
   parts: readonly PlacedPart[],
   study: MotionStudy,
-  answer: MotionAnswer,
+  turnables: readonly Turnable[],
   catalogue: Catalogue,
 ): Promise<Vec3[]> {
   const points = modelCorners({ name: '', parts }, catalogue);
-  for (const { index, turns } of answer.joints) {
-    const path = turns ? await study.path({ of: 'joint', index }) : null;
+  for (const { mover, turns } of turnables) {
+    const path = turns ? await study.path(mover) : null;
     for (const degrees of path?.angles ?? []) {
       const poses = path ? posesAt(path, degrees) : new Map();
       const moved = parts.flatMap((part, i) => {

@@ -98,7 +98,9 @@ export class MotionBoard {
   /** Goes on by so many seconds. */
   advance(seconds: number): void {
     const step = seconds * DEGREES_PER_SECOND * this.speed.value;
-    this.#drivers.value = this.#drivers.value.map((driver) => moved(driver, step, this.mode.value));
+    this.#drivers.value = this.#drivers.value.map((driver) =>
+      moved(driver, step * (driver.path.pace ?? 1), this.mode.value),
+    );
   }
 
   async #pathOf(mover: Mover, asked: number): Promise<MotionPath | null> {

@@ -7,6 +7,7 @@ import {
   type Moment,
   momentsOf,
   nearestHole,
+  shaftPairs,
   type TracePoint,
   traceOf,
 } from '../../model/motion-curves.ts';
@@ -14,6 +15,7 @@ import { isFullTurn, spanOf } from '../../model/motion-span.ts';
 import { MotionTraces, type Trace } from '../../view/overlays/motion-traces.ts';
 import type { MotionStudy } from '../checks/motion-study.ts';
 import { motionWords as words } from '../checks/motion-words.ts';
+import { isSame, turnablesOf } from '../checks/turnables.ts';
 import { Icon } from '../icon.tsx';
 import { FilmFiles } from '../instructions/film-files.tsx';
 import type { Page, ShownModel } from '../page.ts';
@@ -175,23 +177,34 @@ function secondOf(board: MotionBoard, { mode, degreesPerSecond }: Course): numbe
   return (round || lead.way > 0 ? there : back) / degreesPerSecond;
 }
 
+function movableParts({ motions, trains }: MotionAnswer): ReadonlySet<number> {
+  const turning = trains.filter(({ turns }) => turns).flatMap(({ shafts }) => shafts);
+  return new Set([...motions, ...turning].flatMap(({ parts }) => parts));
+}
+
 function useCurves(props: MotionToolsProps, moments: readonly Moment[]): readonly Curve[] {
   const { shown, answer } = props;
   const { catalogue } = usePage();
-  const pairs = useMemo(
-    () =>
-      jointPairs(shown.model, catalogue, {
-        joints: shown.sketch?.joints ?? [],
-        groups: answer.groups,
-      }),
-    [shown, catalogue, answer],
-  );
+  const pairs = useMemo(() => {
+    const { groups, trains } = answer;
+    const joints = shown.sketch?.joints ?? [];
+    return [
+      ...jointPairs(shown.model, catalogue, { joints, groups }).map((pair) => ({
+        name: words.joint(String(pair.joint + 1)),
+        pair,
+      })),
+      ...shaftPairs(trains, groups).map((pair) => ({
+        name: words.shaft(String(pair.shaft + 1)),
+        pair,
+      })),
+    ];
+  }, [shown, catalogue, answer]);
   return useMemo(
     () =>
       moments.length === 0
         ? []
-        : pairs.map((pair) => ({
-            name: words.joint(String(pair.joint + 1)),
+        : pairs.map(({ name, pair }) => ({
+            name,
             angles: anglesOf(shown.model, pair, moments),
           })),
     [shown, pairs, moments],
@@ -207,14 +220,17 @@ function useTraces(page: Page, traces: readonly Trace[]): void {
 
 function useDrag(props: MotionToolsProps, instead: ((point: TracePoint) => void) | null): void {
   const { shown, study, answer, board, onDrive } = props;
-  const movable = useMemo(() => new Set(answer.motions.flatMap(({ parts }) => parts)), [answer]);
+  const movable = useMemo(() => movableParts(answer), [answer]);
   const drive = async (part: number) => {
-    const turning = answer.joints.filter(({ turns }) => turns);
-    const movers = turning.map(({ index }) => ({ of: 'joint', index }) as const);
+    const all = turnablesOf(answer);
+    // What turns on a shaft by itself is meant before what carries the shaft.
+    const movers = all
+      .filter(({ turns }) => turns)
+      .map(({ mover }) => mover)
+      .reverse();
     const mover = await moverOfPart(part, movers, async (each) => (await study.path(each)).parts);
-    const at = answer.joints.findIndex(({ index }) => index === mover?.index);
-    if (mover && at >= 0) {
-      onDrive(at);
+    if (mover) {
+      onDrive(all.findIndex((each) => isSame(each.mover, mover)));
     }
   };
   useDragging({ shown, board, movable, drive, instead });

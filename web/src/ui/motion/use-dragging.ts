@@ -1,5 +1,6 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { dot } from '../../geometry/vec.ts';
+import { gearingOf } from '../../model/gear-motion.ts';
 import { holesOf, type TracePoint } from '../../model/motion-curves.ts';
 import { localOf, nearestAngle, pointOf } from '../../model/motion-follow.ts';
 import { mixedPose } from '../../model/motion-mix.ts';
@@ -139,7 +140,8 @@ function follow(page: Page, dragging: Dragging, held: TracePoint, at: PointerInp
     const seen = pose ? view.project(pointOf(pose, held.local)) : at;
     return Math.hypot(seen.x - at.x, seen.y - at.y);
   };
-  board.put(driver.mover, nearestAngle(spanOf(driver.path), driver.degrees, off));
+  const gearing = gearingOf(driver.path, held.part);
+  board.put(driver.mover, nearestAngle(spanOf(driver.path), driver.degrees, off, gearing));
 }
 
 /** Looks for the joint that moves a part, one after the other. */

@@ -58,6 +58,18 @@ export const SHAFTS_DE: Sentences = [
     'a shaft between others at {place} cannot be kept from sliding: it needs a free module on either side of its line',
     'eine Zwischenwelle bei {place} ist nicht am Verschieben zu hindern: Sie braucht auf beiden Seiten ihrer Linie ein freies Modul',
   ],
+  [
+    'Does not turn: its gears ask one shaft for two speeds.',
+    'Dreht sich nicht: Die Zahnräder verlangen von einer Welle zwei Drehzahlen.',
+  ],
+  [
+    'Does not turn: two gears are too near to pass each other and do not mesh.',
+    'Dreht sich nicht: Zwei Zahnräder sind zu nah, um aneinander vorbeizukommen, und greifen nicht ineinander.',
+  ],
+  [
+    'Does not turn: more than its bearings holds one of its shafts.',
+    'Dreht sich nicht: Mehr als ihre Lager hält eine der Wellen.',
+  ],
   ['{joints}; {n} of {m} drives turn', '{joints}; {n} von {m} Antrieben drehen sich'],
   ['no axle lies along it', 'in ihr liegt keine Achse'],
   ['its axle runs in fewer than two holes', 'ihre Achse läuft in weniger als zwei Löchern'],
