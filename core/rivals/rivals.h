@@ -22,8 +22,8 @@ struct RivalOptions {
 //! discussion in 5.3), by the name that `--method` takes. \details Each head of a file here says
 //! how the paper was read. All use the paper's stage one, its placements and its layers, look for
 //! fewest faults, then fewest beams, and join the beams of their best layout at the end, where the
-//! paper does not say that they connect while they search. Not part of the WebAssembly module,
-//! whose first load has no room for them: there, no method has a name.
+//! paper does not say that they connect while they search. Not part of the WebAssembly module
+//! that a page loads first, which has no room for them: there, no method has a name.
 [[nodiscard]] std::vector<std::string_view> rivalNames();
 
 //! \return The search of that name, or none. \pre problem and solver outlive it.

@@ -16,10 +16,15 @@ function(liftarm_folder folder)
 endfunction()
 
 # Folders that the WebAssembly module goes without, for the sake of its first load: it links what is in
-# core/<folder>/absent/ in their place.
+# core/<folder>/absent/ in their place. A module that links liftarm_<folder>_whole has them all the same: objects
+# win over what archives hold.
 function(liftarm_absent_in_wasm)
   if(EMSCRIPTEN)
     foreach(folder IN LISTS ARGN)
+      get_target_property(sources liftarm_${folder} SOURCES)
+      get_target_property(uses liftarm_${folder} LINK_LIBRARIES)
+      add_library(liftarm_${folder}_whole OBJECT ${sources})
+      target_link_libraries(liftarm_${folder}_whole PUBLIC ${uses})
       file(GLOB stand_ins CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/core/${folder}/absent/*.cpp")
       set_property(TARGET liftarm_${folder} PROPERTY SOURCES ${stand_ins})
     endforeach()
