@@ -164,6 +164,10 @@ sharedTest('axe finds nothing where files and links are taken', async ({ page })
 for (const [room, content] of [
   ['gallery', '.gallery-card'],
   ['lessons', '.lesson-card'],
+  ['laboratory', '.lab-chip'],
+  ['laboratory&lab=bricks', '.lab-select'],
+  ['laboratory&lab=weights', '.lab-slider'],
+  ['laboratory&lab=contest', '.contest-entries'],
   ['linkage', '.path-canvas'],
 ] as const) {
   sharedTest(`axe finds nothing in the room ${room}`, async ({ page }) => {

@@ -41,7 +41,7 @@ test('scripts at the start stay within their budget', () => {
 
 test('rooms are loaded on demand', () => {
   const late = readdirSync(join(DIST, 'assets')).filter((name) =>
-    /^(make-pdf|prover|linkage|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(
+    /^(make-pdf|prover|linkage|lab-worker|laboratory-room|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(
       name,
     ),
   );
@@ -60,6 +60,15 @@ test('the WebAssembly module stays within its budget', () => {
     /^liftarm-core.*\.wasm$/.test(name),
   );
   expect(sum(modules.map((name) => `assets/${name}`))).toBeLessThan(640);
+});
+
+test('the laboratory’s module waits for the laboratory, and stays within its budget', () => {
+  const modules = readdirSync(join(DIST, 'assets')).filter((name) =>
+    /^liftarm-lab.*\.wasm$/.test(name),
+  );
+  expect(modules).toHaveLength(1);
+  expect(coreFiles().filter((name) => name.includes('liftarm-lab'))).toEqual([]);
+  expect(sum(modules.map((name) => `assets/${name}`))).toBeLessThan(820);
 });
 
 test('the licences of all that ships are there', async ({ page }) => {

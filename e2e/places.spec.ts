@@ -6,7 +6,7 @@ import { expect, goTo, openPage, test } from './helpers/test.ts';
 // Nothing here looks at the picture.
 test.use({ draws: false });
 
-const NAMES = ['Draw', 'Check', 'Move', 'Build', 'Share', 'Gallery', 'Learn'] as const;
+const NAMES = ['Draw', 'Check', 'Move', 'Build', 'Share', 'Gallery', 'Learn', 'Lab'] as const;
 const EMPTY = { format: 'technic-sketch', version: 1, name: 'Nothing', lines: [] } as const;
 
 /** Opens the page with nothing drawn. */
@@ -121,7 +121,7 @@ for (const width of [1280, 1190, 1000, 830]) {
   }) => {
     await page.setViewportSize({ width, height: 800 });
     await openPage(page, '/?lang=de');
-    const last = await page.getByRole('link', { name: 'Lernen', exact: true }).boundingBox();
+    const last = await page.getByRole('link', { name: 'Labor', exact: true }).boundingBox();
     const undo = await page.getByRole('button', { name: /^Rückgängig/ }).boundingBox();
     expect((last?.x ?? 0) + (last?.width ?? 0)).toBeLessThanOrEqual(undo?.x ?? 0);
     expect((undo?.x ?? 0) + (undo?.width ?? 0)).toBeLessThanOrEqual(width);

@@ -242,6 +242,9 @@ for (const room of [
   'gallery',
   'lessons',
   'lessons&lesson=teacher',
+  'laboratory',
+  'laboratory&lab=weights',
+  'laboratory&lab=contest',
   'linkage',
 ]) {
   test(`Tab comes by every control of the room ${room}`, async ({ page }) => {

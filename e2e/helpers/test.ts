@@ -167,7 +167,7 @@ export async function downloaded(page: Page, action: () => Promise<void>): Promi
   return textOf(file);
 }
 
-async function textOf(file: Download): Promise<string> {
+export async function textOf(file: Download): Promise<string> {
   const stream = await file.createReadStream();
   const chunks: Buffer[] = [];
   for await (const chunk of stream) {

@@ -159,6 +159,10 @@ export interface SketchLibraryPage {
   remove(id: string): Promise<void>;
 }
 
+/** What a model was searched with beside what is in force. */
+export type TakenSettings = Pick<SearchSettings, 'preset' | 'seed'> &
+  Partial<Pick<SearchSettings, 'advanced'>>;
+
 /** Everything that the panels read, and the few things they do that are no commands. */
 export interface Page {
   readonly commands: CommandTable;
@@ -252,8 +256,8 @@ export interface Page {
   focusDrawing(): void;
   /** Opens a drawing. @param made its model, shown at once where the settings are those that it was made with. */
   openExample(example: Example, made?: MadeParts | null): void;
-  /** Shows another model of the drawing, and searches with its preset and seed from then on. */
-  takeModel(made: MadeModel, search: Pick<SearchSettings, 'preset' | 'seed'>): void;
+  /** Shows another model of the drawing, and searches with the settings that made it from then on. */
+  takeModel(made: MadeModel, search: TakenSettings): void;
   openFile(file: File): void;
   focusProblem(index: number): void;
   /** Lets a person choose a list of the parts that there are. */

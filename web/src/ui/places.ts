@@ -1,7 +1,15 @@
 import type { IconName } from './icon.tsx';
 
 /** The places of the page. Those after `move` are rooms: they cover the drawing (rooms/room-table.ts). */
-export type PlaceId = 'draw' | 'check' | 'move' | 'instructions' | 'share' | 'gallery' | 'lessons';
+export type PlaceId =
+  | 'draw'
+  | 'check'
+  | 'move'
+  | 'instructions'
+  | 'share'
+  | 'gallery'
+  | 'lessons'
+  | 'laboratory';
 
 export interface Place {
   readonly id: PlaceId;
@@ -17,6 +25,7 @@ export const PLACES: readonly Place[] = [
   { id: 'share', icon: 'send' },
   { id: 'gallery', icon: 'gallery' },
   { id: 'lessons', icon: 'book' },
+  { id: 'laboratory', icon: 'flask' },
 ];
 
 /** The place that a name in the address stands for; drawing is what no other name is. */

@@ -10,6 +10,7 @@ const ROWS: readonly (readonly [keyof typeof ROOM_TITLES, IconName, string | und
   ['share', 'send', 'Mod+Shift+S'],
   ['gallery', 'gallery', undefined],
   ['lessons', 'book', undefined],
+  ['laboratory', 'flask', undefined],
   ['linkage', 'turn', undefined],
 ];
 

@@ -16,11 +16,11 @@ export interface Alternative extends MadeModel {
 }
 
 /** What is asked. */
-export interface Asked {
+export interface Asked<C extends Candidate = Candidate> {
   readonly sketch: SketchDocument;
-  readonly candidates: readonly Candidate[];
+  readonly candidates: readonly C[];
   /** What the search is told for one of them. */
-  readonly settingsOf: (candidate: Candidate) => SolveSettings;
+  readonly settingsOf: (candidate: C) => SolveSettings;
 }
 
 let pool: SolverClient | null = null;
@@ -62,10 +62,10 @@ export async function findAlternatives(
 }
 
 /** @returns null where it is refused or cancelled. */
-async function searchOne(
+export async function searchOne<C extends Candidate>(
   client: SolverClient,
-  { sketch, settingsOf }: Asked,
-  candidate: Candidate,
+  { sketch, settingsOf }: Asked<C>,
+  candidate: C,
   signal: AbortSignal,
 ): Promise<Alternative | null> {
   const settings = settingsOf(candidate);

@@ -7,6 +7,7 @@ export const ROOM_TITLES = chooseWords(
     share: 'Share and download',
     gallery: 'Gallery',
     lessons: 'Lessons',
+    laboratory: 'Laboratory',
     linkage: 'Machine from a path',
   } as const,
   {
@@ -14,6 +15,7 @@ export const ROOM_TITLES = chooseWords(
     share: 'Teilen und herunterladen',
     gallery: 'Galerie',
     lessons: 'Lektionen',
+    laboratory: 'Labor',
     linkage: 'Maschine aus einer Bahn',
   },
 );
@@ -39,6 +41,11 @@ export const TAKE_AWAY_ROOMS: readonly Room[] = [
     id: 'lessons',
     title: ROOM_TITLES.lessons,
     load: () => import('../lessons/lessons-room.tsx').then((m) => m.LessonsRoom),
+  },
+  {
+    id: 'laboratory',
+    title: ROOM_TITLES.laboratory,
+    load: () => import('../laboratory/laboratory-room.tsx').then((m) => m.LaboratoryRoom),
   },
   {
     id: 'linkage',

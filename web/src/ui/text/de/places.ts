@@ -12,6 +12,7 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
       share: 'Teilen',
       gallery: 'Galerie',
       lessons: 'Lernen',
+      laboratory: 'Labor',
     },
     about: {
       draw: 'Linien zeichnen; das Modell kommt von selbst',
@@ -21,6 +22,7 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
       share: 'Links und Dateien zum Mitnehmen',
       gallery: 'Modelle zum Ansehen und zum Bauen',
       lessons: 'Kurze Lektionen zum Ausprobieren',
+      laboratory: 'Verfahren um die Wette, Steine wegnehmen, Gewichte drehen',
     },
     needsModel: 'Hier gibt es noch kein Modell.',
     needsModelText: 'Zeichnen Sie zuerst ein paar Linien. Daraus entsteht das Modell.',

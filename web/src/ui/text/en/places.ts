@@ -11,6 +11,7 @@ export const PLACES_EN = {
       share: 'Share',
       gallery: 'Gallery',
       lessons: 'Learn',
+      laboratory: 'Lab',
     },
     about: {
       draw: 'Draw lines; the model comes by itself',
@@ -20,6 +21,7 @@ export const PLACES_EN = {
       share: 'Links and files to take along',
       gallery: 'Models to look at and to build',
       lessons: 'Short lessons to try things out',
+      laboratory: 'Methods that race, bricks to take away, weights to turn',
     },
     needsModel: 'There is no model here yet.',
     needsModelText: 'Draw a few lines first. The model comes from them.',
