@@ -80,11 +80,61 @@ lattice::Pose proper(const parts::Part& part, const lattice::Pose& pose) {
   return turned;
 }
 
+//! Which files of a document are submodels, to be followed, and which are parts. Some programs
+//! write the shapes of parts into the document too: such a file is a part where its name ends with
+//! `.dat` or it draws something itself, and no part that is known stands in it.
+class Leaves {
+ public:
+  Leaves(const LdrawFiles& files, const parts::Catalogue& catalogue)
+      : files_(files), catalogue_(catalogue) {}
+
+  bool isSubmodel(const std::string& file) {
+    if (files_.rows.count(file) == 0) {
+      return false;
+    }
+    const bool part = endsWith(file, ".dat");
+    if (part && knownPart(file, catalogue_) != nullptr) {
+      return false;
+    }
+    return !(part || files_.drawn.count(file) > 0) || holdsKnown(file, 0);
+  }
+
+  [[nodiscard]] bool holds(const std::string& file) const { return files_.rows.count(file) > 0; }
+
+ private:
+  //! Whether a known part stands in a file or in what it holds. A circle holds what else is in it.
+  bool holdsKnown(const std::string& file, std::size_t depth) {
+    const auto rows = files_.rows.find(file);
+    if (depth > kMaxDepth) {
+      // It is followed, and refused.
+      return true;
+    }
+    if (const auto told = holds_.find(file); told != holds_.end()) {
+      return told->second;
+    }
+    holds_[file] = false;
+    bool held = false;
+    if (rows != files_.rows.end()) {
+      for (const LdrawRow& row : rows->second) {
+        const bool leaf = files_.rows.count(row.file) == 0 || endsWith(row.file, ".dat");
+        held = held || (leaf && knownPart(row.file, catalogue_) != nullptr) ||
+               holdsKnown(row.file, depth + 1);
+      }
+    }
+    holds_[file] = held;
+    return held;
+  }
+
+  const LdrawFiles& files_;
+  const parts::Catalogue& catalogue_;
+  std::map<std::string, bool> holds_;
+};
+
 //! Follows submodels down to parts.
 class Placer {
  public:
   Placer(const LdrawFiles& files, const parts::Catalogue& catalogue)
-      : files_(files), catalogue_(catalogue) {}
+      : files_(files), catalogue_(catalogue), leaves_(files, catalogue) {}
 
   //! How many rows are followed from a file down, each as often as it is come by; or what is wrong.
   base::Result<std::size_t> countVisits(const std::string& file) {
@@ -102,7 +152,7 @@ class Placer {
     std::size_t count = 0;
     for (const LdrawRow& row : files_.rows.at(file)) {
       ++count;
-      if (files_.rows.count(row.file) > 0) {
+      if (leaves_.isSubmodel(row.file)) {
         const base::Result<std::size_t> inside = countVisits(row.file);
         if (!inside.ok()) {
           return inside.error();
@@ -120,7 +170,7 @@ class Placer {
     for (const LdrawRow& row : files_.rows.at(file)) {
       const lattice::Pose pose{at.apply(row.position), at.rotation * row.rotation};
       const int own = isInherited(row.color) ? color : row.color;
-      if (files_.rows.count(row.file) > 0) {
+      if (leaves_.isSubmodel(row.file)) {
         place(row.file, pose, own);
       } else {
         add(row.file, pose, own);
@@ -137,7 +187,7 @@ class Placer {
         named += (i > 0 ? ", " : "") + unknown_[i] + " (" +
                  std::to_string(unknownCounts_.at(unknown_[i])) + ")";
       }
-      notes.push_back("parts that are not known here are left out: " + named +
+      notes.push_back("parts that are not known here are not judged: " + named +
                       (unknown_.size() > kNamedAtMost ? ", \u2026" : ""));
     }
     if (!missing_.empty()) {
@@ -165,7 +215,7 @@ class Placer {
   }
 
   void leaveOut(const std::string& file) {
-    if (endsWith(file, ".ldr") || endsWith(file, ".mpd")) {
+    if (!leaves_.holds(file) && (endsWith(file, ".ldr") || endsWith(file, ".mpd"))) {
       missing_ = missing_.empty() ? file.substr(0, kLongestName) : missing_;
       return;
     }
@@ -177,6 +227,7 @@ class Placer {
 
   const LdrawFiles& files_;
   const parts::Catalogue& catalogue_;
+  Leaves leaves_;
   std::vector<model::PlacedPart> parts_;
   std::vector<std::string> path_;
   std::map<std::string, std::size_t> visits_;

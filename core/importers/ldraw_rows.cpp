@@ -149,6 +149,13 @@ std::optional<std::string_view> meta(std::string_view line, std::string_view wor
       line.substr(static_cast<std::size_t>(fields[1].data() - line.data()) + word.size()));
 }
 
+//! A row of type 2, 3 or 4.
+bool drawsSomething(std::string_view line) {
+  const std::string_view row = trimmed(line);
+  return row.size() > 1 && row[0] >= '2' && row[0] <= '4' &&
+         kSpace.find(row[1]) != std::string_view::npos;
+}
+
 //! Takes files in their order. Of two with one name the first counts, as everywhere in LDraw.
 class FileTaker {
  public:
@@ -160,10 +167,18 @@ class FileTaker {
       return;
     }
     files_.names.push_back(name);
+    open_ = name;
     rows_ = &files_.rows[std::move(name)];
   }
 
   void end() { rows_ = nullptr; }
+
+  //! The file that is open draws something itself.
+  void draw() {
+    if (rows_ != nullptr) {
+      files_.drawn.insert(open_);
+    }
+  }
 
   void add(LdrawRow row) {
     if (rows_ != nullptr) {
@@ -178,6 +193,7 @@ class FileTaker {
  private:
   LdrawFiles files_;
   std::vector<LdrawRow>* rows_ = nullptr;
+  std::string open_;
 };
 
 }  // namespace
@@ -235,6 +251,8 @@ base::Result<LdrawFiles> readRows(std::string_view text) {
         taker.begin("model.ldr");
       }
       taker.add(*std::move(row));
+    } else if (drawsSomething(line)) {
+      taker.draw();
     }
   }
   return std::move(taker).take();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,7 @@ struct LdrawRow {
 struct LdrawFiles {
   std::vector<std::string> names;
   std::map<std::string, std::vector<LdrawRow>> rows;
+  std::set<std::string> drawn;     //!< those with lines or surfaces of their own
   std::vector<std::string> notes;  //!< names that stand there more than once
 };
 

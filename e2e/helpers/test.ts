@@ -176,9 +176,13 @@ export async function textOf(file: Download): Promise<string> {
   return Buffer.concat(chunks).toString('utf8');
 }
 
-/** Opens a file with this text by the page's dialog. */
-export async function openText(page: Page, content: string, name = 'a.sketch.json'): Promise<void> {
-  const file = { name, mimeType: 'application/json', buffer: Buffer.from(content) };
+/** Opens a file with this text, or these bytes, by the page's dialog. */
+export async function openText(
+  page: Page,
+  content: string | Buffer,
+  name = 'a.sketch.json',
+): Promise<void> {
+  const file = { name, mimeType: 'application/json', buffer: Buffer.from(content as string) };
   // The browser opens its dialog only within five seconds of the key: a slow machine may need another.
   for (let tries = 0; tries < 4; tries++) {
     await settled(page);

@@ -38,7 +38,7 @@ function byPage(bytes: Uint8Array<ArrayBuffer>): Read {
   const text = decodeText(bytes);
   const notes: string[] = [];
   const read = looksLikeMpd(text)
-    ? readMpd(text, catalogue, (note) => notes.push(note))
+    ? readMpd(text, catalogue, { note: (sentence) => notes.push(sentence) })
     : ({ ok: false, message: 'no LDraw file' } as const);
   return read.ok
     ? { parts: (JSON.parse(read.value) as { parts: Row[] }).parts.map(rowText), said: notes }
@@ -72,6 +72,12 @@ const OWN: Readonly<Record<string, string>> = {
   'a mirrored bent beam':
     '1 4 3 4 5 1 0 0 0 -1 0 0 0 1 32348.dat\n1 4 0 0 0 0 1 0 1 0 0 0 0 1 32140.dat\n',
   'a turned submodel': `0 FILE a.ldr\n1 4 10 20 30 0 0 1 0 1 0 -1 0 0 b b.ldr\n0 FILE b  b.ldr\n1 16 5 5 5 0.6 0.8 0 -0.8 0.6 0 0 0 1 32523.dat\n`,
+  'a shape of a known part': `0 FILE a.ldr\n1 4 ${BEAM}\n0 FILE 32523.dat\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 s\\x.dat\n`,
+  'a shape of an unknown part': `0 FILE a.ldr\n1 4 ${BEAM}\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 l.dat\n0 FILE l.dat\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 s\\x.dat\n`,
+  'a drawn part of any name': `0 FILE a.ldr\n1 4 ${BEAM}\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 l.ldr\n0 FILE l.ldr\n3 16 0 0 0 1 0 0 0 1 0\n`,
+  'a submodel that draws': `0 FILE a.ldr\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 l.ldr\n0 FILE l.ldr\n2 24 0 0 0 1 0 0\n1 4 ${BEAM}\n`,
+  'a submodel with the ending of a part': `0 FILE a.ldr\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 l.dat\n0 FILE l.dat\n1 4 ${BEAM}\n`,
+  'a shape that holds itself': `0 FILE a.ldr\n1 4 ${BEAM}\n1 4 0 0 0 1 0 0 0 1 0 0 0 1 l.dat\n0 FILE l.dat\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 l.dat\n`,
   'nothing but words': '0 Untitled\n0 Name: a.ldr\n',
   'an unknown part alone': '1 4 0 0 0 1 0 0 0 1 0 0 0 1 parts/3001.dat\n',
 };

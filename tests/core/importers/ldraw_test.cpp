@@ -59,8 +59,9 @@ TEST(Ldraw, NamesWhatIsNotKnownWithCounts) {
   const base::Result<Imported> imported = read(brick + brick + "1 4" + kBeam);
   ASSERT_TRUE(imported.ok());
   ASSERT_EQ(imported.value().notes.size(), 1U);
-  EXPECT_EQ(imported.value().notes.front(), "parts that are not known here are left out: 3001 (2)");
-  EXPECT_EQ(refusalOf(brick), "parts that are not known here are left out: 3001 (1)");
+  EXPECT_EQ(imported.value().notes.front(),
+            "parts that are not known here are not judged: 3001 (2)");
+  EXPECT_EQ(refusalOf(brick), "parts that are not known here are not judged: 3001 (1)");
 }
 
 TEST(Ldraw, RefusesWhatHoldsItselfAndWhatMultiplies) {

@@ -46,6 +46,9 @@ function begin(autoSolve = true) {
   const own = (owned: Readonly<Record<string, number>>) => {
     preferences.value = { ...preferences.value, owned };
   };
+  const look = () => {
+    preferences.value = { ...preferences.value, show: 'model' };
+  };
   const edit = (count: number) => {
     store.commit('draw', sketchOf(count));
   };
@@ -55,7 +58,7 @@ function begin(autoSolve = true) {
     shown.value = { ...underWay, report } as ShownModel;
     underWay = null;
   };
-  return { did, edit, own, store, search, end, stop };
+  return { did, edit, look, own, shown, store, search, end, stop };
 }
 
 describe('solving after edits', () => {
@@ -144,6 +147,17 @@ describe('solving after edits', () => {
     const { did, edit } = begin(autoSolve);
     edit(count);
     vi.advanceTimersByTime(5000);
+    expect(did).toEqual([]);
+  });
+
+  it('leaves the model of a file that was opened over a drawing', () => {
+    const { did, edit, look, shown } = begin();
+    const report = { buildable: true };
+    shown.value = { sketch: sketchOf(1), parts: null, report } as ShownModel;
+    edit(1);
+    shown.value = { sketch: null, parts: null, report } as ShownModel;
+    look();
+    vi.advanceTimersByTime(1000);
     expect(did).toEqual([]);
   });
 });

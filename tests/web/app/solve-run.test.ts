@@ -259,14 +259,21 @@ describe('solve run', () => {
     const { run } = begin();
     const sketches: SketchDocument[] = [];
     const file = JSON.stringify({ ...JSON.parse(MODEL), sketch: SKETCH });
-    expect(await run.showFile(file, (sketch) => sketches.push(sketch))).toBeNull();
+    expect(
+      await run.showFile(file, {
+        model: () => undefined,
+        sketch: (sketch) => sketches.push(sketch),
+      }),
+    ).toBeNull();
     expect(sketches).toEqual([SKETCH]);
   });
 
   it('refuses a model whose parts cannot be placed', async () => {
     const { run } = begin();
     const file = MODEL.replace('[2,0,0]', '[2,0]');
-    expect(await run.showFile(file, () => undefined)).toContain('parts[0]');
+    expect(await run.showFile(file, { model: () => undefined, sketch: () => undefined })).toContain(
+      'parts[0]',
+    );
     expect(run.shown.value).toBeNull();
   });
 });

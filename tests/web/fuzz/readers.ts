@@ -37,7 +37,7 @@ function demandSentence(sentence: string): void {
 }
 
 function mpd(data: Uint8Array): void {
-  const answer = readMpd(textOf(data), catalogue, demandSentence);
+  const answer = readMpd(textOf(data), catalogue, { note: demandSentence });
   demandReason(answer);
   if (!answer.ok) {
     return;

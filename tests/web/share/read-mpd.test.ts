@@ -75,7 +75,7 @@ describe('.mpd files', () => {
     ['0 FILE a.ldr\n0 nothing\n', 'no parts'],
     [
       '0 FILE a.ldr\n1 71 0 0 0 1 0 0 0 1 0 0 0 1 3001.dat\n',
-      'not known here are left out: 3001 (1)',
+      'not known here are not judged: 3001 (1)',
     ],
     ['0 FILE a.ldr\n1 71 0 0 x 1 0 0 0 1 0 0 0 1 32316.dat\n', 'line 2'],
     ['0 FILE a.ldr\n1 71 0 0 0 1 0 0 0 1 0 0 0 1 a.ldr\n', 'holds itself'],
@@ -102,14 +102,14 @@ describe('.mpd files', () => {
     expect(placedAs(BEAM.replace('71', colour)).color).toBe(code);
   });
 
-  it('leave out what is not known, and say so by kind and count', () => {
+  it('have what is not known as guests, and say so by kind and count', () => {
     const brick = BEAM.replace('32316', '3001');
     const notes: string[] = [];
     const rows = ['0 x', BEAM, brick, brick, BEAM.replace('32316.dat', 'wheels.ldr')];
-    const read = readMpd(rows.join('\r'), catalogue, (note) => notes.push(note));
+    const read = readMpd(rows.join('\r'), catalogue, { note: (sentence) => notes.push(sentence) });
     expect(read.ok && JSON.parse(read.value).parts).toHaveLength(1);
     expect(notes).toEqual([
-      'parts that are not known here are left out: 3001 (2)',
+      'parts that are not known here are not judged: 3001 (2)',
       'what stands in another file is left out: wheels.ldr',
     ]);
   });
@@ -117,7 +117,7 @@ describe('.mpd files', () => {
   it('keep the first of two submodels with one name, and say so', () => {
     const notes: string[] = [];
     const text = `0 FILE a.ldr\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 s.ldr\n0 FILE s.ldr\n${BEAM}\n${BEAM}\n0 FILE S.ldr\n${BEAM}\n`;
-    const read = readMpd(text, catalogue, (note) => notes.push(note));
+    const read = readMpd(text, catalogue, { note: (sentence) => notes.push(sentence) });
     expect(read.ok && JSON.parse(read.value).parts).toHaveLength(2);
     expect(notes).toEqual(['s.ldr stands there more than once; the first counts']);
   });

@@ -22,6 +22,7 @@ export interface Search {
 export function solveAfterEdits(state: PageState, search: Search): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let asked: string | null = null;
+  let seen = '';
   const underWay = () => {
     const wish = search.wishUnderWay();
     return wish ? textOf(wish) : null;
@@ -29,9 +30,15 @@ export function solveAfterEdits(state: PageState, search: Search): () => void {
   const stop = effect(() => {
     const sketch = state.store.sketch.value;
     const { autoSolve } = state.preferences.value;
-    clearTimeout(timer);
     const parts = partsText(settingsOf(state.preferences.value));
     const wanted = textOf({ sketch, parts });
+    const now = `${autoSolve} ${wanted}`;
+    if (now === seen) {
+      // How the picture is to look is no matter of a search, and the model of a file stays over the drawing before.
+      return;
+    }
+    seen = now;
+    clearTimeout(timer);
     const known = () => {
       const shown = state.shown.peek();
       // What a file held was made with parts of its own.

@@ -2,6 +2,7 @@ import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Catalogue } from '../model/catalogue.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { decodeText } from '../share/decode-text.ts';
+import { looksLikeArchive, modelInArchive } from '../share/studio-file.ts';
 import { type SolverClient, SolverError } from '../solver/worker-client.ts';
 import type { LegalOffer } from '../state/legal-offer.ts';
 import { MAX_SKETCH_BYTES } from '../state/read-sketch.ts';
@@ -34,11 +35,11 @@ export interface FileHelp {
 }
 
 /**
- * Reads a file that a person chose: a sketch (.json, .obj) or a model (.json, .mpd). On failure one sentence. Rejects
+ * Reads a file that a person chose: a sketch (.json, .obj) or a model (.json, .mpd, .ldr, .io). On failure one sentence. Rejects
  * with the signal's reason at once when it is aborted.
  */
 export async function readOpenedFile(
-  file: Pick<File, 'size' | 'arrayBuffer'>,
+  file: Pick<File, 'size' | 'arrayBuffer'> & { readonly name?: string },
   { client, catalogue, read }: FileHelp,
   signal: AbortSignal,
 ): Promise<Outcome<OpenedFile>> {
@@ -47,14 +48,18 @@ export async function readOpenedFile(
   }
   let content: string;
   try {
-    content = decodeText(new Uint8Array(await file.arrayBuffer()));
+    const bytes = await modelBytes(new Uint8Array(await file.arrayBuffer()));
+    if (!bytes.ok) {
+      return bytes;
+    }
+    content = decodeText(bytes.value);
   } catch {
     return bad(text.files.unreadable);
   }
   if (content.trim() === '') {
     return bad(text.files.empty);
   }
-  const parsed = await read({ content, parts: catalogue.parts }, signal);
+  const parsed = await read({ content, name: file.name, parts: catalogue.parts }, signal);
   if (!parsed.ok || parsed.value.kind === 'model') {
     return parsed as Outcome<OpenedFile>;
   }
@@ -66,6 +71,13 @@ export async function readOpenedFile(
   }
   const message = refusal ?? (own.ok ? '' : own.message);
   return legal ? good({ kind: 'offer', message, legal, notes }) : bad(message);
+}
+
+/** The bytes of a file, or those of the model in it where it is an archive. */
+async function modelBytes(
+  bytes: Uint8Array<ArrayBuffer>,
+): Promise<Outcome<Uint8Array<ArrayBuffer>>> {
+  return looksLikeArchive(bytes) ? modelInArchive(bytes) : good(bytes);
 }
 
 /** What the core's reader says against a sketch, or null. Ends the search as soon as it has begun. */

@@ -1,3 +1,5 @@
+import { guestPart, withGuestsAsParts } from '../model/guests.ts';
+import type { Model } from '../model/model.ts';
 import { readPartsList } from '../model/parts-list.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import { encodeShare } from '../share/codec.ts';
@@ -8,6 +10,7 @@ import type { LegalOffer } from '../state/legal-offer.ts';
 import { writeSketch } from '../state/read-sketch.ts';
 import type { ToolId } from '../tools/tool.ts';
 import { fillWords } from '../tools/tool-words.ts';
+import { modelTitle } from '../ui/model-title.ts';
 import { copyText } from '../ui/share/copy-text.ts';
 import { saveFile } from '../ui/share/save-file.ts';
 import { inWords } from '../ui/text/sentences.ts';
@@ -88,7 +91,7 @@ export class PageFiles {
   }
 
   readonly chooseFile = (): void =>
-    chooseOne('.json,application/json,.mpd,.ldr,.obj', this.openFile);
+    chooseOne('.json,application/json,.mpd,.ldr,.io,.obj', this.openFile);
 
   /** Reads a list of owned parts that a person chooses. */
   readonly importOwned = (): void => {
@@ -157,8 +160,11 @@ export class PageFiles {
       this.#context.toaster.info(fillWords(text.files.opened, { name }));
       return;
     }
-    const onSketch = (sketch: SketchDocument) => this.#context.edit(text.edits.open, sketch);
-    const refusal = await this.#context.run.showFile(opened.value.json, onSketch, signal);
+    const on = {
+      model: ({ guests }: Model) => catalogue.welcome((guests?.kinds ?? []).map(guestPart)),
+      sketch: (sketch: SketchDocument) => this.#context.edit(text.edits.open, sketch),
+    };
+    const refusal = await this.#context.run.showFile(opened.value.json, on, signal);
     if (refusal !== null) {
       this.#refuse(file.name, refusal);
       return;
@@ -221,7 +227,7 @@ export class PageFiles {
       this.#context.toaster.error(
         fillWords(text.files.exportFailed, { message: inWords(message) }),
       );
-    this.#context.client.exportModel(shown.json, format).then(
+    this.#context.client.exportModel(withGuestsAsParts(shown.json), format).then(
       (result) => {
         if (result.outcome === 'ok') {
           this.#save(format, result.text, format === 'mpd' ? 'application/x-ldraw' : 'text/csv');
@@ -274,7 +280,7 @@ export class PageFiles {
   };
 
   #title(): string {
-    return this.#context.state.store.sketch.value.name ?? '';
+    return modelTitle(this.#context.state);
   }
 }
 

@@ -1,5 +1,6 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { Mat3, Vec3 } from '../geometry/vec.ts';
+import { type GuestKind, readGuestKinds } from '../model/guests.ts';
 import type { Model, PlacedPart } from '../model/model.ts';
 import { fillWords } from '../tools/tool-words.ts';
 import { text } from '../ui/text.ts';
@@ -29,8 +30,9 @@ export function readModel(json: string): Outcome<Model> {
   if (!Array.isArray(rows) || rows.length > MAX_PARTS) {
     return bad(text.files.neither);
   }
+  const { rows: guestRows, kinds } = guestsIn(value);
   const parts: PlacedPart[] = [];
-  for (const [i, row] of rows.entries()) {
+  for (const [i, row] of [...rows, ...guestRows].entries()) {
     const part = readPart(row);
     if (!part) {
       return bad(fillWords(text.files.badModel, { i }));
@@ -39,8 +41,22 @@ export function readModel(json: string): Outcome<Model> {
   }
   const name: unknown = 'name' in value ? value.name : '';
   return typeof name === 'string' && name.length <= MAX_NAME
-    ? good({ name, parts })
+    ? good({ name, parts, ...(kinds.length > 0 && { guests: { count: guestRows.length, kinds } }) })
     : bad(text.files.neither);
+}
+
+/** Parts that the core does not know (model/guests.ts); none where they are not in their form. */
+function guestsIn(file: object): { rows: readonly unknown[]; kinds: readonly GuestKind[] } {
+  const none = { rows: [], kinds: [] };
+  const guests: unknown = 'guests' in file ? file.guests : null;
+  if (typeof guests !== 'object' || guests === null) {
+    return none;
+  }
+  const { kinds, parts } = guests as { readonly kinds?: unknown; readonly parts?: unknown };
+  const known = readGuestKinds(kinds);
+  return known && Array.isArray(parts) && parts.length <= MAX_PARTS
+    ? { rows: parts, kinds: known }
+    : none;
 }
 
 function readPart(row: unknown): PlacedPart | null {

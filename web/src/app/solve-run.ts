@@ -1,4 +1,5 @@
 import { batch, type ReadonlySignal, signal } from '@preact/signals';
+import type { Model } from '../model/model.ts';
 import type { CheckReport, Report } from '../model/report.ts';
 import type { SketchDocument } from '../model/sketch.ts';
 import type { MadeModel } from '../solver/made-model.ts';
@@ -165,12 +166,15 @@ export class SolveRun {
 
   /**
    * Shows a model that a file held.
-   * @param onSketch given the sketch that the file holds, before the model is shown.
+   * @param on told of what is in the file before it is shown: of its model, and of its sketch where it holds one.
    * @returns null, or why it cannot be shown. Rejects with the reason of the signal.
    */
   async showFile(
     json: string,
-    onSketch: (sketch: SketchDocument) => void,
+    on: {
+      readonly model: (model: Model) => void;
+      readonly sketch: (sketch: SketchDocument) => void;
+    },
     signal?: AbortSignal,
   ): Promise<string | null> {
     const checked = await this.#client.check(json, signal);
@@ -187,10 +191,11 @@ export class SolveRun {
     this.drop();
     this.layout = null;
     batch(() => {
+      on.model(model.value);
       const of = { sketch, parts: null };
       this.#shown.value = { source: 'file', json, model: model.value, ...of, report, check };
       if (sketch) {
-        onSketch(sketch);
+        on.sketch(sketch);
       }
     });
     return null;

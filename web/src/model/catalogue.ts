@@ -1,4 +1,5 @@
 import type { Vec3 } from '../geometry/vec.ts';
+import type { GuestKind } from './guests.ts';
 
 /** Mirrors parts::PartClass in core/parts/catalogue.h. */
 export type PartClass = 'beam' | 'pin' | 'axle' | 'connector' | 'bush' | 'gear';
@@ -59,21 +60,29 @@ export interface Part {
   readonly collars: readonly Prism[];
   readonly boundsMin: Vec3;
   readonly boundsMax: Vec3;
+  /** Only of a part that a file of others holds and that is not judged; see guests.ts. */
+  readonly guest?: GuestKind;
 }
 
 /** All parts that may be used, by their number. */
 export class Catalogue {
   readonly parts: readonly Part[];
   readonly #byId: ReadonlyMap<string, Part>;
+  #guests: ReadonlyMap<string, Part> = new Map();
 
   constructor(parts: readonly Part[]) {
     this.parts = parts;
     this.#byId = new Map(parts.map((part) => [part.id, part]));
   }
 
+  /** The parts of the model on screen that are none of these: find() knows them until others come. */
+  welcome(guests: readonly Part[]): void {
+    this.#guests = new Map(guests.map((part) => [part.id, part]));
+  }
+
   /** The part with this LDraw number, or undefined. */
   find(id: string): Part | undefined {
-    return this.#byId.get(id);
+    return this.#byId.get(id) ?? this.#guests.get(id);
   }
 }
 

@@ -1,4 +1,5 @@
 import type { Mat3, Vec3 } from '../geometry/vec.ts';
+import type { GuestKind } from './guests.ts';
 import type { SketchDocument } from './sketch.ts';
 
 /** One real part in its place; mirrors core/model/model.h. */
@@ -26,4 +27,6 @@ export interface Model {
   readonly name: string;
   readonly parts: readonly PlacedPart[];
   readonly sketch?: SketchDocument | null;
+  /** The last `count` parts are none of the catalogue; see guests.ts. */
+  readonly guests?: { readonly count: number; readonly kinds: readonly GuestKind[] };
 }

@@ -18,17 +18,27 @@ const SAME: Readonly<Record<string, string>> = {
 /** A mould's letter, or a print: `3713a`, `32316pr0001`. */
 const VARIANT = /^(\d+)(?:[a-f]|(?:pr|pb|pat|ps)\d+[a-z]?)+$/;
 
+/** A number without what files write around it: `.dat`, and the folder before it. */
+export function plainNumber(number: string): string {
+  return number
+    .trim()
+    .toLowerCase()
+    .replace(/^.*[\\/]/, '')
+    .replace(/\.(dat|ldr)$/, '');
+}
+
+/** The number without the letter of a mould or the mark of a print. */
+export function baseNumber(plain: string): string {
+  return VARIANT.exec(plain)?.[1] ?? plain;
+}
+
 /**
  * The number under which a part is known here.
  * @param number as a list or a file gives it, with or without `.dat` and the folder before it.
  * @returns null where it is not known.
  */
 export function knownNumber(number: string, known: ReadonlySet<string>): string | null {
-  const plain = number
-    .trim()
-    .toLowerCase()
-    .replace(/^.*[\\/]/, '')
-    .replace(/\.(dat|ldr)$/, '');
-  const base = VARIANT.exec(plain)?.[1] ?? plain;
+  const plain = plainNumber(number);
+  const base = baseNumber(plain);
   return [plain, SAME[plain], base, SAME[base]].find((id) => id && known.has(id)) ?? null;
 }

@@ -17,6 +17,7 @@ export type FirstWrong =
   | { readonly kind: 'problem'; readonly index: number; readonly problem: Problem }
   | { readonly kind: 'item'; readonly item: CheckItem }
   | { readonly kind: 'missing'; readonly count: number }
+  | { readonly kind: 'guests'; readonly count: number }
   | { readonly kind: 'pieces'; readonly count: number }
   | { readonly kind: 'falls' }
   | { readonly kind: 'wellBuilt'; readonly item: WellBuiltItem };
@@ -39,6 +40,8 @@ export interface VerdictInput {
   readonly pieces: number;
   /** Parts of the model that the person does not have. */
   readonly missing: number;
+  /** Parts that were not judged because they are not known. */
+  readonly guests?: number;
   readonly stands?: boolean | undefined;
   /** Joints that were drawn. */
   readonly joints: number;
@@ -55,8 +58,8 @@ export function verdictOf(input: VerdictInput): Verdict {
 }
 
 function lampsOf(input: VerdictInput): Lamp[] {
-  const { faults, buildable, pieces, missing } = input;
-  const made: LampState = faults > 0 || pieces > 1 || missing > 0 ? 'warn' : 'ok';
+  const { faults, buildable, pieces, missing, guests = 0 } = input;
+  const made: LampState = faults > 0 || pieces > 1 || missing > 0 || guests > 0 ? 'warn' : 'ok';
   const rest = [...wellBuiltLamp(input), standsLamp(input), movesLamp(input)];
   if (buildable) {
     return [{ id: 'buildable', state: made }, ...rest];
@@ -73,8 +76,12 @@ function wellBuiltLamp({ wellBuilt }: VerdictInput): Lamp[] {
   return asked ? [{ id: 'wellBuilt', state: asked.every(({ ok }) => ok) ? 'ok' : 'warn' }] : [];
 }
 
-function standsLamp({ stands }: VerdictInput): Lamp {
-  return { id: 'stands', state: stands === undefined ? 'none' : stands ? 'ok' : 'warn' };
+function standsLamp({ stands, guests = 0 }: VerdictInput): Lamp {
+  // Nobody knows what parts that are not known weigh.
+  return {
+    id: 'stands',
+    state: stands === undefined || guests > 0 ? 'none' : stands ? 'ok' : 'warn',
+  };
 }
 
 function movesLamp({ joints, items }: VerdictInput): Lamp {
@@ -93,6 +100,9 @@ function firstWrong(input: VerdictInput): FirstWrong | null {
     return problem
       ? { kind: 'problem', index: 0, problem }
       : { kind: 'item', item: item ?? { id: '', title: '', ok: false, detail: '' } };
+  }
+  if (input.guests) {
+    return { kind: 'guests', count: input.guests };
   }
   if (input.missing > 0) {
     return { kind: 'missing', count: input.missing };

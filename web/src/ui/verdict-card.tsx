@@ -91,7 +91,7 @@ function Ways({ card }: { readonly card: CardState }) {
       {first.kind === 'problem' && first.problem.line !== undefined ? (
         <ReleaseLine line={first.problem.line} />
       ) : null}
-      {first.kind === 'problem' || first.kind === 'item' ? (
+      {(first.kind === 'problem' || first.kind === 'item') && ofSearch(page) ? (
         <CommandButton id="newSeed" words={text.result.trySeed} class="small" />
       ) : null}
       {show ? (
@@ -124,6 +124,11 @@ function ReleaseLine({ line }: { readonly line: number }) {
       {label}
     </button>
   );
+}
+
+/** A model from a file is not searched for again. */
+function ofSearch({ result }: Page): boolean {
+  return result.value?.source === 'search';
 }
 
 function manyProblems({ result }: Page): number {

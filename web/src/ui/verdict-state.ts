@@ -1,4 +1,5 @@
 import { shortages } from '../model/brick-set.ts';
+import { countGuests } from '../model/guests.ts';
 import type { WellBuiltItem } from '../model/report.ts';
 import { type FirstWrong, type Lamp, type LampState, verdictOf } from '../model/verdict.ts';
 import { isLoud, type SketchFault } from '../state/sketch-faults.ts';
@@ -90,7 +91,9 @@ function finished(page: Page, shown: ResultState): CardState {
   const { tone, lamps, first } = judge(page, shown);
   const ofFile = shown.source === 'file' ? text.verdict.file : text.verdict.okText;
   const [title, words] = first === null ? [text.verdict.ok, ofFile] : wordsFor(first);
-  return { tone, title, words, first, lamps, final: true };
+  const guests = guestsOn(page);
+  const more = guests > 0 && tone === 'bad' ? ` ${guestWords(guests)}` : '';
+  return { tone, title, words: words + more, first, lamps, final: true };
 }
 
 function judge(page: Page, shown: ResultState) {
@@ -104,10 +107,22 @@ function judge(page: Page, shown: ResultState) {
     problems: shown.problems,
     pieces: report.pieces ?? 1,
     missing: [...short.values()].reduce((sum, n) => sum + n, 0),
+    guests: guestsOn(page),
     stands: report.balanced,
     joints: sketch?.joints?.length ?? 0,
     wellBuilt: report.wellBuilt?.items,
   });
+}
+
+/** Parts of the model on screen that were not judged. */
+function guestsOn(page: Page): number {
+  const model = page.shown.value?.model;
+  return model ? countGuests(model) : 0;
+}
+
+function guestWords(n: number): string {
+  const { verdict } = text;
+  return n === 1 ? verdict.guestOne : fillWords(verdict.guestsText, { n });
 }
 
 function wordsFor(first: FirstWrong): readonly [title: string, words: string] {
@@ -119,6 +134,8 @@ function wordsFor(first: FirstWrong): readonly [title: string, words: string] {
       return [verdict.bad, placesInWords(inWords(first.problem.message))];
     case 'item':
       return [verdict.bad, itemWords(first.item.title)];
+    case 'guests':
+      return [verdict.guests, guestWords(first.count)];
     case 'missing':
       return [
         verdict.missing,

@@ -5,6 +5,8 @@ import type { ParsedFile } from './parse-file.ts';
 
 export interface ReadRequest {
   readonly content: string;
+  /** Of the file. */
+  readonly name?: string | undefined;
   /** All that there are. */
   readonly parts: readonly Part[];
 }

@@ -1,6 +1,8 @@
 import { good, type Outcome } from '../../base/outcome.ts';
 import { Catalogue, type Part } from '../../model/catalogue.ts';
+import sizesFile from '../../model/known-sizes.json';
 import type { SketchDocument } from '../../model/sketch.ts';
+import type { KnownSizes } from '../../share/ldraw-guests.ts';
 import { looksLikeMpd, readMpd } from '../../share/read-mpd.ts';
 import { looksLikeObj, readObj } from '../../share/read-obj.ts';
 import { type LegalOffer, legalOffer } from '../../state/legal-offer.ts';
@@ -23,19 +25,29 @@ export type ParsedFile =
     };
 
 const PEEK = 4096;
+const sizes: KnownSizes = sizesFile;
 
 /**
  * Reads the text of a file: a sketch (.json, .obj) or a model (.json, .mpd). Pure, and slow for what is made to be: it
  * runs in a worker (read-worker.ts).
  * @param parts all parts that there are.
+ * @param fileName what the file is called; a model of another program is called so too.
  */
-export function parseFile(content: string, parts: readonly Part[]): Outcome<ParsedFile> {
+export function parseFile(
+  content: string,
+  parts: readonly Part[],
+  fileName = '',
+): Outcome<ParsedFile> {
   if (looksLikeModel(content)) {
     return good({ kind: 'model', json: content, notes: [] });
   }
   if (looksLikeMpd(content)) {
     const notes: string[] = [];
-    const model = readMpd(content, new Catalogue(parts), (note) => notes.push(note));
+    const model = readMpd(content, new Catalogue(parts), {
+      note: (sentence) => notes.push(sentence),
+      sizes,
+      name: fileName.replace(/\.\w{2,5}$/, '').trim(),
+    });
     return model.ok ? good({ kind: 'model', json: model.value, notes }) : model;
   }
   if (looksLikeObj(content)) {

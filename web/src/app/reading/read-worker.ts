@@ -4,5 +4,5 @@ import type { ReadRequest } from './file-reader.ts';
 import { parseFile } from './parse-file.ts';
 
 addEventListener('message', ({ data }: MessageEvent<ReadRequest>) => {
-  postMessage(parseFile(data.content, data.parts));
+  postMessage(parseFile(data.content, data.parts, data.name));
 });

@@ -1,6 +1,8 @@
 import type { Vec3 } from '../../geometry/vec.ts';
 import { type AssemblyPlan, readPlan } from '../../instructions/assembly-plan.ts';
 import { type BuildStep, buildSteps } from '../../instructions/build-steps.ts';
+import { withGuestsLast } from '../../instructions/guest-steps.ts';
+import { countGuests } from '../../model/guests.ts';
 import type { Model } from '../../model/model.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import type { MeshShelf } from '../../view/drawing/drawn-part.ts';
@@ -41,11 +43,12 @@ export async function askPlan(source: {
   if (reply.outcome === 'refused') {
     throw new Error(reply.message);
   }
-  const plan = readPlan(reply.text, source.model.parts.length);
+  const { model } = source;
+  const plan = readPlan(reply.text, model.parts.length - countGuests(model));
   if (!plan.ok) {
     throw new Error(plan.message);
   }
-  return plan.value;
+  return withGuestsLast(plan.value, model);
 }
 
 /** What a book is made of. */

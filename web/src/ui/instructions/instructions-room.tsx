@@ -4,6 +4,7 @@ import { fillWords } from '../../tools/tool-words.ts';
 import { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import { Segmented } from '../controls.tsx';
 import { modelComing } from '../model-coming.ts';
+import { modelTitle } from '../model-title.ts';
 import { NeedsModel } from '../needs-model.tsx';
 import type { ShownModel } from '../page.ts';
 import { usePage } from '../page-context.ts';
@@ -35,7 +36,7 @@ export function InstructionsRoom() {
     );
   }
   return shown && shown.model.parts.length > 0 ? (
-    <Instructions key={shown.json} shown={shown} title={page.store.sketch.value.name || 'Model'} />
+    <Instructions key={shown.json} shown={shown} title={modelTitle(page) || 'Model'} />
   ) : (
     <NeedsModel />
   );

@@ -1,4 +1,5 @@
 import { timesOf } from '../../instructions/build-steps.ts';
+import { isGuest } from '../../instructions/guest-steps.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { type Book, isTurned } from './book.ts';
 import { instructionWords as words } from './instruction-words.ts';
@@ -35,6 +36,9 @@ export function notesOf(book: Book, index: number): StepNotes {
     warnings: [
       ...(step.stable || finished ? [] : [words.unstable]),
       ...(step.adds.some((add) => add.forced) ? [words.forced] : []),
+      ...(step.adds.some((add) => add.parts.some((part) => isGuest(book.model, part)))
+        ? [words.guests]
+        : []),
     ],
   };
 }

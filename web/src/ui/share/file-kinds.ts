@@ -1,5 +1,6 @@
 import type { Vec3 } from '../../geometry/vec.ts';
 import type { Catalogue } from '../../model/catalogue.ts';
+import { withGuestsAsParts } from '../../model/guests.ts';
 import type { Model } from '../../model/model.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
 import type { ExportFormat } from '../../solver/protocol.ts';
@@ -48,6 +49,8 @@ export const FILE_ROWS: readonly FileRow[] = [
   { kind: 'model.json', group: 'own' },
 ];
 
+/** What only counts and places parts has those that are not known too. */
+const WITH_GUESTS: readonly FileKind[] = ['mpd', 'parts.csv', 'wanted.xml', 'spreadsheet.csv'];
 const PICTURE = { width: 2000, height: 1500, margin: 40 } as const;
 const CORE_TYPES: Readonly<Partial<Record<FileKind, string>>> = {
   mpd: 'application/x-ldraw',
@@ -69,7 +72,8 @@ export async function makeFile(kind: FileKind, source: FileSource): Promise<Blob
   const { json, model } = source.model;
   const type = CORE_TYPES[kind];
   if (type !== undefined) {
-    const reply = await roomSolver().exportModel(json, kind as ExportFormat);
+    const placed = WITH_GUESTS.includes(kind) ? withGuestsAsParts(json) : json;
+    const reply = await roomSolver().exportModel(placed, kind as ExportFormat);
     if (reply.outcome === 'refused') {
       throw new Error(reply.message);
     }

@@ -4,6 +4,7 @@ import { sharedState } from '../../share/shared-state.ts';
 import { fillWords } from '../../tools/tool-words.ts';
 import { ISO_OUT } from '../../view/drawing/drawing-camera.ts';
 import { modelComing } from '../model-coming.ts';
+import { modelTitle } from '../model-title.ts';
 import { NeedsModel } from '../needs-model.tsx';
 import { usePage } from '../page-context.ts';
 import { FileList } from './file-list.tsx';
@@ -43,7 +44,7 @@ export function ShareRoom() {
   if (sketch.lines.length === 0 && !shown) {
     return <NeedsModel />;
   }
-  const title = sketch.name || 'model';
+  const title = modelTitle(page) || 'model';
   const eye = page.view()?.viewDirection();
   const out: Vec3 = eye ? scale(eye, -1) : ISO_OUT;
   return (

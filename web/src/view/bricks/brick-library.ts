@@ -1,5 +1,5 @@
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { Catalogue } from '../../model/catalogue.ts';
+import type { Catalogue, Part } from '../../model/catalogue.ts';
 import type { DetailName } from './detail.ts';
 import type { BrickMesh } from './mesh-builder.ts';
 import { buildPartMesh } from './part-mesh.ts';
@@ -23,7 +23,7 @@ const USUAL_TRIANGLES: Readonly<Record<DetailName, number>> = {
 /** Builds each part's geometry when it is first asked for and keeps it. */
 export class BrickLibrary {
   readonly catalogue: Catalogue;
-  readonly #cache = new Map<string, BrickGeometry>();
+  readonly #cache = new Map<string, { readonly part: Part; readonly geometry: BrickGeometry }>();
 
   constructor(catalogue: Catalogue) {
     this.catalogue = catalogue;
@@ -31,8 +31,7 @@ export class BrickLibrary {
 
   /** The geometry of a part, or null when the catalogue does not have it. */
   get(id: string, detail: DetailName): BrickGeometry | null {
-    const key = `${id}/${detail}`;
-    const known = this.#cache.get(key);
+    const known = this.built(id, detail);
     if (known) {
       return known;
     }
@@ -41,13 +40,15 @@ export class BrickLibrary {
       return null;
     }
     const geometry = toGeometry(buildPartMesh(part, detail));
-    this.#cache.set(key, geometry);
+    this.#cache.set(`${id}/${detail}`, { part, geometry });
     return geometry;
   }
 
   /** The geometry of a part if it is built already. */
   built(id: string, detail: DetailName): BrickGeometry | null {
-    return this.#cache.get(`${id}/${detail}`) ?? null;
+    const known = this.#cache.get(`${id}/${detail}`);
+    // Another file's part may bear the same number.
+    return known && known.part === this.catalogue.find(id) ? known.geometry : null;
   }
 
   /** How many triangles a part has: about, as long as it is not built. */
@@ -57,9 +58,9 @@ export class BrickLibrary {
   }
 
   dispose(): void {
-    for (const { surface, lines } of this.#cache.values()) {
-      surface.dispose();
-      lines.dispose();
+    for (const { geometry } of this.#cache.values()) {
+      geometry.surface.dispose();
+      geometry.lines.dispose();
     }
     this.#cache.clear();
   }

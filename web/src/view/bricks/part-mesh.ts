@@ -4,6 +4,7 @@ import { addAxle } from './axle.ts';
 import { addBush, addStop, hasFlanges } from './bush.ts';
 import { DETAILS, type Detail, type DetailName, DIMENSIONS } from './detail.ts';
 import { addGear } from './gear.ts';
+import { buildGuestMesh } from './guest-mesh.ts';
 import { addAxleHole, addPinHole, axleHoleOpening, pinHoleOpening } from './holes.ts';
 import {
   type BrickMesh,
@@ -31,6 +32,9 @@ import { addWeb, circleFaces, circleSection, rectangleFaces, rectangleSection } 
  * its holes, heads and axles from its male features, webs between bodies that cross.
  */
 export function buildPartMesh(part: Part, detailName: DetailName): BrickMesh {
+  if (part.guest) {
+    return buildGuestMesh(part.guest);
+  }
   const detail = DETAILS[detailName];
   const builder = new MeshBuilder();
   const layout = layOutPart(part);

@@ -1,6 +1,6 @@
 import { add, type Mat3, rotate, type Vec3 } from '../../geometry/vec.ts';
 import { type Bounds, corners } from '../../model/bounds.ts';
-import type { Catalogue } from '../../model/catalogue.ts';
+import type { Catalogue, Part } from '../../model/catalogue.ts';
 import { colourHex } from '../../model/colours.ts';
 import type { PlacedPart } from '../../model/model.ts';
 import type { DetailName } from '../bricks/detail.ts';
@@ -27,7 +27,7 @@ export function drawn(part: PlacedPart): DrawnPart {
 /** Meshes by part and level of detail, built when first asked for. */
 export class MeshShelf {
   readonly catalogue: Catalogue;
-  readonly #meshes = new Map<string, BrickMesh>();
+  readonly #meshes = new Map<string, { readonly part: Part; readonly mesh: BrickMesh }>();
 
   constructor(catalogue: Catalogue) {
     this.catalogue = catalogue;
@@ -37,15 +37,12 @@ export class MeshShelf {
   get(id: string, detail: DetailName): BrickMesh | null {
     const key = `${id}/${detail}`;
     const known = this.#meshes.get(key);
-    if (known) {
-      return known;
-    }
     const part = this.catalogue.find(id);
-    if (!part) {
-      return null;
+    if (!part || known?.part === part) {
+      return known?.mesh ?? null;
     }
     const mesh = buildPartMesh(part, detail);
-    this.#meshes.set(key, mesh);
+    this.#meshes.set(key, { part, mesh });
     return mesh;
   }
 

@@ -18,6 +18,7 @@ export const INSTRUCTIONS_DE: Words<typeof INSTRUCTIONS_EN> = {
   turned: 'Modell drehen',
   unstable: 'Festhalten: Das steht noch nicht von allein.',
   forced: 'Dieses Teil braucht etwas Kraft: Ein anderes ist im Weg.',
+  guests: 'Hier nicht bekannt, also nicht beurteilt: Das Bild zeigt, wohin es gehört.',
   previous: 'Voriger Schritt',
   next: 'Nächster Schritt',
   done: 'Fertig',

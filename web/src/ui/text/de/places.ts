@@ -61,6 +61,11 @@ export const PLACES_DE: Words<typeof PLACES_EN> = {
     missing: 'Baubar, aber es fehlen Teile',
     missingText: '{n} Teile sind nicht unter denen, die Sie haben.',
     missingOne: 'Ein Teil ist nicht unter denen, die Sie haben.',
+    guests: 'Was hier bekannt ist, ist baubar',
+    guestsText:
+      '{n} Teile sind hier nicht bekannt: sie werden gezeigt, aber nicht beurteilt, und halten nichts.',
+    guestOne:
+      'Ein Teil ist hier nicht bekannt: es wird gezeigt, aber nicht beurteilt, und hält nichts.',
     pieces: 'Baubar, aber in {n} Stücken',
     piecesText:
       'Sie berühren sich nicht: jedes ist ein Modell für sich. Eine Linie dazwischen verbindet sie.',

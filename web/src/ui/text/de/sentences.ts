@@ -37,9 +37,19 @@ const FILES: Sentences = [
     '{file} steht mehr als einmal da; das erste zählt',
   ],
   [
-    'parts that are not known here are left out: {parts}',
-    'Teile, die hier unbekannt sind, fehlen: {parts}',
+    'parts that are not known here are not judged: {parts}',
+    'Teile, die hier unbekannt sind, werden nicht beurteilt: {parts}',
   ],
+  ['the archive holds no model (.ldr or .mpd)', 'das Archiv enthält kein Modell (.ldr oder .mpd)'],
+  [
+    'the archive is closed with a password that is not known here',
+    'das Archiv ist mit einem Passwort verschlossen, das hier nicht bekannt ist',
+  ],
+  [
+    'the model in the archive is larger than 32 MB, which is the limit',
+    'das Modell im Archiv ist größer als 32 MB; das ist die Grenze',
+  ],
+  ['the archive is damaged', 'das Archiv ist beschädigt'],
   [
     'what stands in another file is left out: {file}',
     'was in einer anderen Datei steht, fehlt: {file}',

@@ -27,7 +27,7 @@ export const SHARE_DE: Words<typeof SHARE_EN> = {
   failed: 'Die Datei konnte nicht geschrieben werden: {message}',
   open: 'Datei öffnen',
   openText:
-    'Unsere Skizzen und Modelle (.json), unsere LDraw-Dateien (.mpd) und Linienzeichnungen aus Modellierprogrammen (.obj mit Zeilen v und l).',
+    'Unsere Skizzen und Modelle (.json), Modelle anderer Programme (LDraw .ldr und .mpd, Studio .io) und Linienzeichnungen aus Modellierprogrammen (.obj mit Zeilen v und l).',
   groups: {
     building: 'Für Bauprogramme',
     buying: 'Zum Zählen und Kaufen',

@@ -18,6 +18,7 @@ export const INSTRUCTIONS_EN = {
   turned: 'Turn the model',
   unstable: 'Hold it: this does not stand by itself yet.',
   forced: 'This part needs a little force: another one is in the way.',
+  guests: 'Not known here, so not judged: see in the picture where it goes.',
   previous: 'Previous step',
   next: 'Next step',
   done: 'Done',

@@ -26,7 +26,7 @@ export const SHARE_EN = {
   failed: 'The file could not be written: {message}',
   open: 'Open a file',
   openText:
-    'Sketches and models of ours (.json), our LDraw files (.mpd), and line drawings from modelling programs (.obj with v and l records).',
+    'Sketches and models of ours (.json), models of other programs (LDraw .ldr and .mpd, Studio .io), and line drawings from modelling programs (.obj with v and l records).',
   groups: {
     building: 'For building programs',
     buying: 'For counting and buying',
