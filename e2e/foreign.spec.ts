@@ -50,6 +50,6 @@ test('a Studio file is shown whole, judged as far as it is known, and gets steps
   await expect(page.locator('.instructions')).toBeVisible({ timeout: 60_000 });
   await page.keyboard.press('End');
   await expect(page.getByText('Not known here, so not judged')).toBeVisible();
-  await page.locator('.instructions-bar').getByText('Parts', { exact: true }).click();
+  await page.getByRole('radio', { name: 'Parts', exact: true }).check({ force: true });
   await expect(page.getByText('Lever of my own')).toBeVisible();
 });
