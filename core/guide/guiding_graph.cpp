@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <set>
-#include <unordered_map>
 
+#include "guide/hole_shift.h"
 #include "guide/joint_bodies.h"
 #include "sketch/moving_layers.h"
 #include "sketch/point_symmetry.h"
@@ -122,6 +121,7 @@ void addRuns(const sketch::Sketch& sketch,
     run.layers = run.exact ? 1U << static_cast<unsigned>(kMaxLayer) : run.layers;
     run.piece = source.piece;
     graph->edges += run.edgeCount();
+    run.holeShift = holeShiftOf(graph->nodes, run.nodes);
     graph->runs.push_back(std::move(run));
   }
 }

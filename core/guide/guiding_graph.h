@@ -23,6 +23,7 @@ struct GuideRun {
   bool exact = false;               //!< every beam must lie on the line (layer 0)
   unsigned layers = kAllLayers;     //!< those that beams may have: bit (layer + kMaxLayer)
   bool principal = false;           //!< parallel to a principal axis
+  double holeShift = 0.0;           //!< of its beams' holes from its nodes, along the direction
   int piece = 0;
   std::vector<int> junctions;        //!< junction ids, in order along the run
   std::vector<int> junctionIndices;  //!< their indices among `nodes`

@@ -70,7 +70,8 @@ inline lattice::Vec3 holePosition(const guide::GuidingGraph& graph,
                                   double index,
                                   int layer) {
   const lattice::Vec3 first = graph.nodes[static_cast<std::size_t>(run.nodes.front())];
-  return first + index * run.direction + static_cast<double>(layer) * lattice::unitVector(axis);
+  return first + (index + run.holeShift) * run.direction +
+         static_cast<double>(layer) * lattice::unitVector(axis);
 }
 
 inline Stadium stadiumOf(const guide::GuidingGraph& graph,

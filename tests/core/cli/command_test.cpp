@@ -54,6 +54,19 @@ TEST_F(Command, LengthsThatDoNotQuiteCloseAreBuiltAndSaid) {
   EXPECT_EQ(run("check '" + (folder_ / "Slope.model.json").string() + "'").exitCode, 0);
 }
 
+// 8-9-12 and 13-1-13 are 0.04 modules off: both ends of every line share what is left.
+TEST_F(Command, LengthsThatCloseWithinThePlayAtBothEndsOfALineAreBuilt) {
+  for (const auto& [width, height] : {std::pair(8, 9), std::pair(13, 1)}) {
+    const lattice::Vec3 corner{1.0 * width, 0, 0};
+    const lattice::Vec3 top{1.0 * width, 1.0 * height, 0};
+    const std::string sketch =
+        write("Slope.json", testing::sketchOf({{{}, corner}, {corner, top}, {{}, top}}));
+    const Outcome solved = run("solve '" + sketch + "' -o '" + folder_.string() + "'");
+    EXPECT_EQ(solved.exitCode, 0) << solved.out;
+    EXPECT_EQ(run("check '" + (folder_ / "Slope.model.json").string() + "'").exitCode, 0);
+  }
+}
+
 TEST_F(Command, CheckOfABadModelExitsWithTwo) {
   model::Model model = testing::squareFrame();
   model.parts.pop_back();

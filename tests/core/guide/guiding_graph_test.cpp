@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/helpers/sketches.h"
+#include "guide/hole_shift.h"
 
 namespace liftarm::guide {
 namespace {
@@ -39,6 +40,15 @@ TEST(GuidingGraph, OfASquareHasFourRunsAndFourJunctions) {
   EXPECT_EQ(graph.junctions.size(), 4U);
   EXPECT_EQ(graph.edges, 32);
   EXPECT_EQ(graph.nodes.size(), 32U);
+}
+
+TEST(HoleShift, IsNoneWhereLengthsClose) {
+  EXPECT_EQ(holeShiftOf({{0, 0, 0}, {1, 0, 0}, {2 + 1e-9, 0, 0}}, {0, 1, 2}), 0.0);
+}
+
+TEST(HoleShift, SharesWhatIsLeftBetweenBothEnds) {
+  EXPECT_NEAR(holeShiftOf({{0, 0, 0}, {1, 0, 0}, {2.04, 0, 0}}, {0, 1, 2}), 0.02, 1e-12);
+  EXPECT_NEAR(holeShiftOf({{0, 0, 0}, {1, 0, 0}, {1.96, 0, 0}}, {0, 1, 2}), -0.02, 1e-12);
 }
 
 TEST(GuidingGraph, CornerInAPlaneIsNotBridgeable) {
