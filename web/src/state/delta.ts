@@ -165,11 +165,20 @@ export function isDelta(value: unknown): value is SketchDelta {
 }
 
 /** Whether a sketch has what a delta replaces. */
-export function fitsDelta(sketch: SketchDocument, delta: SketchDelta): boolean {
+function fitsDelta(sketch: SketchDocument, delta: SketchDelta): boolean {
   return LISTS.every((key) => {
     const splice = delta[key];
     return !splice || splice.at + splice.removed.length <= (sketch[key]?.length ?? 0);
   });
+}
+
+/** The sketch after a delta that was kept and may be damaged however deep, or null where it is about another sketch. */
+export function applyKept(sketch: SketchDocument, delta: SketchDelta): SketchDocument | null {
+  try {
+    return fitsDelta(sketch, delta) ? applyDelta(sketch, delta) : null;
+  } catch {
+    return null;
+  }
 }
 
 function isSplice(value: unknown): boolean {

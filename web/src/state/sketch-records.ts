@@ -1,5 +1,5 @@
 import type { SketchDocument } from '../model/sketch.ts';
-import { applyDelta, fitsDelta, isDelta } from './delta.ts';
+import { applyKept, isDelta } from './delta.ts';
 import { EMPTY_HISTORY, type History, type HistoryEntry } from './history.ts';
 import { readSketchValue } from './read-sketch.ts';
 import { readSearchSettings, type SearchSettings } from './search-settings.ts';
@@ -220,9 +220,8 @@ function afterStep({ sketch, settings, at }: Place, step: KeptStep): Place | nul
   if (step.kind === 'settings') {
     return { sketch, settings: step.settings, at: at + 1 };
   }
-  return fitsDelta(sketch, step.delta)
-    ? { sketch: applyDelta(sketch, step.delta), settings, at: at + 1 }
-    : null;
+  const next = applyKept(sketch, step.delta);
+  return next && { sketch: next, settings, at: at + 1 };
 }
 
 /** What can be undone and done again at a revision. Where a step is damaged it begins anew. */

@@ -1,7 +1,8 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
 import { emptySketch, type SketchDocument } from '../model/sketch.ts';
-import { applyDelta, diffSketch, invertDelta, isEmptyDelta, type SketchDelta } from './delta.ts';
+import { applyKept, diffSketch, invertDelta, isEmptyDelta, type SketchDelta } from './delta.ts';
 import { EMPTY_HISTORY, type History, pushEntry, stepBack, stepForward } from './history.ts';
+import { readSketchValue } from './read-sketch.ts';
 
 /** How a change enters the history: at once, or with the next one (a drag under way). */
 export type Capture = 'now' | 'later';
@@ -15,6 +16,11 @@ export type Step =
 export interface SavedSketch {
   readonly sketch: SketchDocument;
   readonly history: History;
+}
+
+/** What a step of a kept history leads to: where that is damaged it may be no sketch, and must not come on the page. */
+function readable(sketch: SketchDocument | null): SketchDocument | null {
+  return sketch && readSketchValue(sketch).ok ? sketch : null;
 }
 
 /** The sketch on the page and its history. The only place where either changes. */
@@ -69,7 +75,7 @@ export class SketchStore {
     }
   }
 
-  /** @returns the label of what was undone, or null at the beginning. */
+  /** @returns the label of what was undone, or null at the beginning, and where the history is damaged: it ends there. */
   undo(): string | null {
     this.rollBack();
     const step = stepBack(this.#history.value);
@@ -77,7 +83,12 @@ export class SketchStore {
       return null;
     }
     const delta = invertDelta(step.entry.delta);
-    this.#move(applyDelta(this.#captured, delta), step.history);
+    const before = readable(applyKept(this.#captured, delta));
+    if (!before) {
+      this.#history.value = { ...this.#history.value, past: [] };
+      return null;
+    }
+    this.#move(before, step.history);
     this.#onStep({ kind: 'undo', delta });
     return step.entry.label;
   }
@@ -90,7 +101,12 @@ export class SketchStore {
       return null;
     }
     const { delta } = step.entry;
-    this.#move(applyDelta(this.#captured, delta), step.history);
+    const after = readable(applyKept(this.#captured, delta));
+    if (!after) {
+      this.#history.value = { ...this.#history.value, future: [] };
+      return null;
+    }
+    this.#move(after, step.history);
     this.#onStep({ kind: 'redo', delta });
     return step.entry.label;
   }
