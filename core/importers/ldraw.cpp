@@ -236,13 +236,14 @@ class Placer {
   std::string missing_;
 };
 
-std::string nameOf(const std::string& file) {
+//! The name of the first file as it is written, without its ending.
+std::string nameOf(const LdrawFiles& files) {
   for (const std::string_view ending : {".ldr", ".mpd", ".dat"}) {
-    if (endsWith(file, ending)) {
-      return file.substr(0, file.size() - ending.size());
+    if (endsWith(files.names.front(), ending)) {
+      return files.title.substr(0, files.title.size() - ending.size());
     }
   }
-  return file;
+  return files.title;
 }
 
 }  // namespace
@@ -290,7 +291,7 @@ base::Result<Imported> readLdraw(std::string_view text, const parts::Catalogue& 
     return refusal("more than " + std::to_string(model::kMaxParts) + " parts, which is the limit");
   }
   Imported imported;
-  imported.model.name = nameOf(files.names.front());
+  imported.model.name = nameOf(files);
   imported.notes = files.notes;
   imported.notes.insert(imported.notes.end(), left.begin(), left.end());
   imported.model.parts = std::move(placer).take();

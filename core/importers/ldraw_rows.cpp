@@ -49,13 +49,19 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   return fields;
 }
 
+std::string singleSpaced(std::string_view name) {
+  std::string text;
+  for (const std::string_view word : fieldsOf(name)) {
+    text += text.empty() ? "" : " ";
+    text += word;
+  }
+  return text;
+}
+
 //! Names are told apart without regard to case and to how much white space they hold.
 std::string keyOf(std::string_view name) {
-  std::string key;
-  for (const std::string_view word : fieldsOf(name)) {
-    key += key.empty() ? "" : " ";
-    std::transform(word.begin(), word.end(), std::back_inserter(key), lower);
-  }
+  std::string key = singleSpaced(name);
+  std::transform(key.begin(), key.end(), key.begin(), lower);
   return key;
 }
 
@@ -159,7 +165,11 @@ bool drawsSomething(std::string_view line) {
 //! Takes files in their order. Of two with one name the first counts, as everywhere in LDraw.
 class FileTaker {
  public:
-  void begin(std::string name) {
+  void begin(std::string_view written) {
+    std::string name = keyOf(written);
+    if (files_.names.empty()) {
+      files_.title = singleSpaced(written);
+    }
     const bool known = files_.rows.count(name) > 0;
     if (known) {
       files_.notes.push_back(name + " stands there more than once; the first counts");
@@ -228,7 +238,7 @@ base::Result<LdrawFiles> readRows(std::string_view text) {
     const std::optional<std::string_view> named = meta(line, "FILE");
     if (named && !named->empty()) {
       leading = outside = false;
-      taker.begin(keyOf(*named));
+      taker.begin(*named);
       if (taker.count() > kMaxFiles) {
         return base::Error{
             base::Status::kInvalidInput,

@@ -21,6 +21,7 @@ struct LdrawRow {
 
 //! \brief The files of a document in their order.
 struct LdrawFiles {
+  std::string title;  //!< name of the first as it is written, white space in it made single
   std::vector<std::string> names;
   std::map<std::string, std::vector<LdrawRow>> rows;
   std::set<std::string> drawn;     //!< those with lines or surfaces of their own

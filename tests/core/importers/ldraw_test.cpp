@@ -40,7 +40,14 @@ TEST(Ldraw, FollowsSubmodelsAndTheirColour) {
   ASSERT_EQ(imported.value().model.parts.size(), 2U);
   EXPECT_EQ(imported.value().model.parts[0].color, 4);
   EXPECT_EQ(imported.value().model.parts[1].color, 14);
-  EXPECT_EQ(imported.value().model.name, "main");
+  EXPECT_EQ(imported.value().model.name, "Main");
+}
+
+TEST(Ldraw, KeepsTheLettersOfANameAndNotItsEnding) {
+  for (const char* ending : {".ldr", ".LDR", ".Mpd", ""}) {
+    const std::string file = std::string("0 FILE My  Chair") + ending + "\n1 4" + kBeam;
+    EXPECT_EQ(read(file).value().model.name, "My Chair") << ending;
+  }
 }
 
 TEST(Ldraw, TakesTheFirstOfTwoFilesOfOneName) {
