@@ -1,10 +1,11 @@
+#include "analysis/drive_check.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 
-#include "analysis/drive_check.h"
 #include "analysis/motion_collisions.h"
 #include "base/index.h"
 #include "model/number_text.h"

@@ -1,10 +1,11 @@
+#include "analysis/gear_trains.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
 
-#include "analysis/gear_trains.h"
 #include "analysis/union_find.h"
 #include "base/det_math.h"
 #include "base/index.h"
