@@ -41,7 +41,7 @@ test('scripts at the start stay within their budget', () => {
 
 test('rooms are loaded on demand', () => {
   const late = readdirSync(join(DIST, 'assets')).filter((name) =>
-    /^(make-pdf|prover|linkage|lab-worker|laboratory-room|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(
+    /^(make-pdf|prover|linkage|truss-worker|lab-worker|laboratory-room|instructions-room|lessons-room|gallery-room|share-room).*\.js$/.test(
       name,
     ),
   );

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { encodeShare } from '../web/src/share/codec.ts';
 import { linkOf, publicSketch } from './helpers/links.ts';
-import { expect, test, textOf } from './helpers/test.ts';
+import { expect, savedSketch, test, textOf } from './helpers/test.ts';
 
 test.use({ draws: false });
 
@@ -155,6 +155,19 @@ test('a bridge that folds under the truck has no price', async ({ page }) => {
   await page.getByRole('button', { name: 'Judge all' }).click();
   await expect(page.getByTestId('contest-status')).toHaveText('Judged: 1', { timeout: 60_000 });
   await expect(page.locator('.ranking tbody tr')).toContainText('has no score');
+});
+
+test('the lightest truss under a deck is shown, and becomes the drawing', async ({ page }) => {
+  await page.goto('./?room=laboratory&lab=contest');
+  await page.getByRole('radio', { name: 'Cheapest bridge' }).check({ force: true });
+  await page.getByRole('spinbutton', { name: 'x of the deck’s end' }).fill('16');
+  await page.getByRole('button', { name: 'Show the lightest truss' }).click();
+  await expect(page.getByRole('img', { name: /^The lightest flat truss/ })).toBeVisible({
+    timeout: 100_000,
+  });
+  await page.getByRole('button', { name: 'Make it the drawing' }).click();
+  await expect(page.getByLabel('Name of the sketch')).toHaveValue('Lightest truss');
+  expect((await savedSketch(page)).lines.length).toBeGreaterThan(20);
 });
 
 test.describe('on a phone', () => {

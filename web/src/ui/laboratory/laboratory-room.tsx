@@ -39,7 +39,7 @@ export function LaboratoryRoom({ close }: { readonly close: () => void }) {
       />
       {tab === 'race' ? <RaceView /> : null}
       {tab === 'bricks' ? <BrickAwayView /> : null}
-      {tab === 'contest' ? <ContestView /> : null}
+      {tab === 'contest' ? <ContestView close={close} /> : null}
       {tab === 'weights' ? <ProposalsView close={close} /> : null}
     </div>
   );

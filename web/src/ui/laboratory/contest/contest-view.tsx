@@ -13,6 +13,7 @@ import { BridgeRules } from './bridge-rules.tsx';
 import { contestWords as words } from './contest-words.ts';
 import { type Entry, readEntries } from './entries.ts';
 import { FewestProof } from './fewest-proof.tsx';
+import { GhostView } from './ghost-view.tsx';
 import { type Contest, judgeEntry } from './judge.ts';
 import type { Judged } from './ranking.ts';
 import { RankingTable } from './ranking-table.tsx';
@@ -24,7 +25,7 @@ const FIRST_BRIDGE: BridgeContest = {
 };
 
 /** Links of a class, judged again and ranked. */
-export function ContestView() {
+export function ContestView({ close }: { readonly close: () => void }) {
   const page = usePage();
   const [kind, setKind] = useState<Contest['kind']>('beams');
   const [bridge, setBridge] = useState(FIRST_BRIDGE);
@@ -48,7 +49,10 @@ export function ContestView() {
       {kind === 'beams' ? (
         <FewestProof drawing={drawing} />
       ) : (
-        <BridgeRules rules={bridge} onChange={setBridge} />
+        <>
+          <BridgeRules rules={bridge} onChange={setBridge} />
+          <GhostView rules={bridge} close={close} />
+        </>
       )}
       {fault ? <p role="alert">{fillWords(words.badDeck, { message: inWords(fault) })}</p> : null}
       <label class="contest-entries">

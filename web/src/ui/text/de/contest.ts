@@ -23,6 +23,12 @@ export const CONTEST_DE: Words<typeof CONTEST_EN> = {
   front: 'Vorderachse, N',
   rear: 'Hinterachse, N',
   safety: 'Sicherheit',
+  ghost: 'Das leichteste Fachwerk zeigen',
+  ghostBusy: 'Wird gesucht…',
+  ghostFound:
+    'Das leichteste ebene Fachwerk für eine Seite: Länge mal Festigkeit {volume} N Module. Mit echten Balken ist es zu schlagen.',
+  ghostTake: 'Zur Zeichnung machen',
+  ghostName: 'Leichtestes Fachwerk',
   badDeck: 'Diese Regeln gehen nicht: {message}',
   entries: 'Abgaben',
   example: 'Anna  https://…#s2.…  24',

@@ -21,6 +21,12 @@ export const CONTEST_EN = {
   front: 'Front axle, N',
   rear: 'Rear axle, N',
   safety: 'Safety',
+  ghost: 'Show the lightest truss',
+  ghostBusy: 'Being found…',
+  ghostFound:
+    'The lightest flat truss for one side: length times strength {volume} N modules. Beat it with real beams.',
+  ghostTake: 'Make it the drawing',
+  ghostName: 'Lightest truss',
   badDeck: 'These rules do not work: {message}',
   entries: 'Entries',
   example: 'Anna  https://…#s2.…  24',
