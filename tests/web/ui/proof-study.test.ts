@@ -83,6 +83,28 @@ test('a study that is stopped is open again', async () => {
   expect(prover.terminate).toHaveBeenCalledOnce();
 });
 
+test('a study that is stopped while the core lists places ends that question', async () => {
+  let signal: AbortSignal | undefined;
+  const prove = vi.fn();
+  const study = new ProofStudy({
+    solver: () => ({
+      ask: (_, stopped) => {
+        signal = stopped;
+        return new Promise((_resolve, reject) => {
+          stopped?.addEventListener('abort', () => reject(stopped.reason));
+        });
+      },
+    }),
+    prove,
+  });
+  const ended = study.start('{}', {});
+  study.stop();
+  await ended;
+  expect(signal?.aborted).toBe(true);
+  expect(study.now.value).toEqual({ state: 'open' });
+  expect(prove).not.toHaveBeenCalled();
+});
+
 test('a bound that the model meets is a proof already', () => {
   const shown = (beams: number) => ({ report: { beams, beamsLowerBound: 6, axles: 1 } });
   expect(statusOf(shown(6), { state: 'open' }).state).toBe('ok');

@@ -61,7 +61,8 @@ export class ProofStudy {
     signal: AbortSignal,
   ): Promise<ProofState> {
     try {
-      const reply = await this.#provers.solver().ask({ about: 'placements', sketchJson, settings });
+      const question = { about: 'placements', sketchJson, settings } as const;
+      const reply = await this.#provers.solver().ask(question, signal);
       if (reply.outcome !== 'ok') {
         return { state: 'failed', message: reply.message };
       }
