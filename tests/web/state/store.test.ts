@@ -84,4 +84,31 @@ describe('store', () => {
     store.commit('draw', row(2));
     expect(store.canRedo.value).toBe(false);
   });
+
+  it('keeps what is selected through undo and redo of a move', () => {
+    const store = new SketchStore();
+    store.commit('draw', row(3));
+    store.select([1]);
+    const moved = row(3).lines.map((line, i) =>
+      i === 1 ? { ...line, to: [5, 1, 0] as const } : line,
+    );
+    store.commit('move', { ...row(3), lines: moved });
+    store.select([1]);
+    store.undo();
+    expect([...store.selection.value]).toEqual([1]);
+    store.redo();
+    expect([...store.selection.value]).toEqual([1]);
+  });
+
+  it('finds what is selected again where lines come and go', () => {
+    const store = new SketchStore();
+    store.commit('draw', row(3));
+    store.commit('delete', removeLines(row(3), new Set([0])));
+    store.select([0]);
+    store.undo();
+    expect([...store.selection.value]).toEqual([1]);
+    store.select([0, 2]);
+    store.redo();
+    expect([...store.selection.value]).toEqual([1]);
+  });
 });

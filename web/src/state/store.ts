@@ -1,5 +1,5 @@
 import { batch, computed, type ReadonlySignal, signal } from '@preact/signals';
-import { emptySketch, type SketchDocument } from '../model/sketch.ts';
+import { emptySketch, type SketchDocument, type SketchLine } from '../model/sketch.ts';
 import { applyKept, diffSketch, invertDelta, isEmptyDelta, type SketchDelta } from './delta.ts';
 import { EMPTY_HISTORY, type History, pushEntry, stepBack, stepForward } from './history.ts';
 import { readSketchValue } from './read-sketch.ts';
@@ -88,7 +88,7 @@ export class SketchStore {
       this.#history.value = { ...this.#history.value, past: [] };
       return null;
     }
-    this.#move(before, step.history);
+    this.#step(before, step.history);
     this.#onStep({ kind: 'undo', delta });
     return step.entry.label;
   }
@@ -106,7 +106,7 @@ export class SketchStore {
       this.#history.value = { ...this.#history.value, future: [] };
       return null;
     }
-    this.#move(after, step.history);
+    this.#step(after, step.history);
     this.#onStep({ kind: 'redo', delta });
     return step.entry.label;
   }
@@ -125,6 +125,15 @@ export class SketchStore {
     this.#move(saved.sketch, saved.history);
   }
 
+  /** One step of the history: what was selected stays so, as far as it is still there. */
+  #step(sketch: SketchDocument, history: History): void {
+    const kept = keptSelection(this.#captured, sketch, this.#selection.value);
+    batch(() => {
+      this.#move(sketch, history);
+      this.select(kept);
+    });
+  }
+
   #move(sketch: SketchDocument, history: History): void {
     batch(() => {
       this.#captured = sketch;
@@ -141,4 +150,21 @@ export class SketchStore {
       this.#selection.value = new Set([...selection].filter((i) => i < count));
     }
   }
+}
+
+/** Where the selected lines are in another state of a sketch: in their places, or where lines came or went, by their ends. */
+function keptSelection(
+  before: SketchDocument,
+  after: SketchDocument,
+  selected: ReadonlySet<number>,
+): number[] {
+  if (before.lines.length === after.lines.length) {
+    return [...selected];
+  }
+  const keyOf = ({ from, to }: SketchLine) => JSON.stringify([from, to]);
+  const wanted = new Set(before.lines.filter((_, i) => selected.has(i)).map(keyOf));
+  return [...after.lines.keys()].filter((i) => {
+    const line = after.lines[i];
+    return line !== undefined && wanted.has(keyOf(line));
+  });
 }

@@ -26,6 +26,7 @@ import { formatPoint } from './text/language.ts';
 import { inWords } from './text/sentences.ts';
 import { text } from './text.ts';
 import './joint-card.css';
+import './number-field.css';
 
 const words = text.joint;
 

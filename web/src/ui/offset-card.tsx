@@ -14,6 +14,7 @@ import type { Page } from './page.ts';
 import { usePage } from './page-context.ts';
 import { text } from './text.ts';
 import './offset-card.css';
+import './number-field.css';
 
 const words = text.offset;
 
