@@ -105,9 +105,10 @@ WellBuiltItem judgeFaithful(const WellBuiltQuery& query) {
   for (const ScenePart& part : query.scene.parts) {
     farthest = std::max(farthest, farthestModule(part, query.scene.sketch->lines));
   }
+  const std::string most = model::numberText(farthest, 1);
   item.detail = "beams lie " + model::numberText(mean, 2) +
-                " layers off their lines on average, nothing sticks out more than " +
-                model::numberText(farthest, 1) + " modules";
+                " layers off their lines on average, nothing sticks out more than " + most +
+                (most == "1" ? " module" : " modules");
   item.figures = {{"meanLayer", mean}, {"greatestProtrusion", farthest}};
   return item;
 }

@@ -13,6 +13,10 @@ export const BUILT_DE: Sentences = [
     'beams lie {n} layers off their lines on average, nothing sticks out more than {m} modules',
     'Balken liegen im Mittel {n} Lagen neben ihren Linien, nichts steht weiter als {m} Module heraus',
   ],
+  [
+    'beams lie {n} layers off their lines on average, nothing sticks out more than 1 module',
+    'Balken liegen im Mittel {n} Lagen neben ihren Linien, nichts steht weiter als 1 Modul heraus',
+  ],
   ['no drawing to compare with', 'keine Zeichnung zum Vergleich'],
   [
     '{n} parts below the base, {m} of {k} feet in the air; it falls over where the drawing stands',
