@@ -51,5 +51,26 @@ test('a Studio file is shown whole, judged as far as it is known, and gets steps
   await page.keyboard.press('End');
   await expect(page.getByText('Not known here, so not judged')).toBeVisible();
   await page.getByRole('radio', { name: 'Parts', exact: true }).check({ force: true });
-  await expect(page.getByText('Lever of my own')).toBeVisible();
+  await expect(page.locator('.instructions').getByText('Lever of my own')).toBeVisible();
+});
+
+/** A beam whose end hole is for axles, with a round pin in it, and a beam beside. */
+const WRONG_PIN = [
+  '1 71 0 0 0 1 0 0 0 1 0 0 0 1 60483.dat',
+  '1 71 0 -20 0 1 0 0 0 1 0 0 0 1 32316.dat',
+];
+
+test('a pin that does not fit is put right by a click, and taken back by another', async ({
+  page,
+}) => {
+  await openPage(page);
+  const pin = '1 0 0 -10 0 0 -1 0 1 0 0 0 0 1 2780.dat';
+  await openText(page, [...WRONG_PIN, pin].join('\n'), 'beams.ldr');
+  const verdict = page.getByTestId('verdict');
+  await expect(verdict).toContainText('Not buildable yet');
+  await page.getByRole('button', { name: 'Look for a mend' }).click();
+  await expect(page.getByText('nothing is wrong any more')).toBeVisible({ timeout: 60_000 });
+  await expect(verdict).not.toContainText('Not buildable yet');
+  await page.locator('.toast').getByRole('button', { name: 'Undo' }).click();
+  await expect(verdict).toContainText('Not buildable yet');
 });

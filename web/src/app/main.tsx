@@ -111,6 +111,7 @@ function pageOf(controller: PageController, client: SolverClient): Page {
     focusProblem: controller.focusProblem,
     importOwned: controller.files.importOwned,
     takeLegal: controller.files.takeLegal,
+    mendModel: controller.files.mendModel,
     partPicture: (id) => thumbnails.picture(id),
     toggleKind: controller.toggleKind,
     cutAlong: controller.cutAlong,

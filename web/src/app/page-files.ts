@@ -1,4 +1,4 @@
-import { guestPart, withGuestsAsParts } from '../model/guests.ts';
+import { withGuestsAsParts } from '../model/guests.ts';
 import type { Model } from '../model/model.ts';
 import { readPartsList } from '../model/parts-list.ts';
 import type { SketchDocument } from '../model/sketch.ts';
@@ -16,6 +16,7 @@ import { saveFile } from '../ui/share/save-file.ts';
 import { inWords } from '../ui/text/sentences.ts';
 import { text } from '../ui/text.ts';
 import { fileName } from './download.ts';
+import { FileMend } from './file-mend.ts';
 import { readOpenedFile } from './files.ts';
 import type { PageState } from './page-state.ts';
 import { readInWorker } from './reading/file-reader.ts';
@@ -83,12 +84,20 @@ interface FileContext {
 /** Opening and saving files, and the sketch in the address. */
 export class PageFiles {
   readonly #context: FileContext;
+  readonly #mends: FileMend;
   /** Of the file that is being read, or was last. */
   #reading = new AbortController();
 
   constructor(context: FileContext) {
     this.#context = context;
+    const { run, client, toaster, state } = context;
+    this.#mends = new FileMend({ run, client, toaster, catalogue: state.catalogue });
   }
+
+  /** Looks for a part that fits where one does not, in the model of a file. */
+  readonly mendModel = (): void => {
+    this.#mends.mend().catch(() => undefined);
+  };
 
   readonly chooseFile = (): void =>
     chooseOne('.json,application/json,.mpd,.ldr,.io,.obj', this.openFile);
@@ -161,7 +170,7 @@ export class PageFiles {
       return;
     }
     const on = {
-      model: ({ guests }: Model) => catalogue.welcome((guests?.kinds ?? []).map(guestPart)),
+      model: (model: Model) => this.#mends.welcome(model),
       sketch: (sketch: SketchDocument) => this.#context.edit(text.edits.open, sketch),
     };
     const refusal = await this.#context.run.showFile(opened.value.json, on, signal);

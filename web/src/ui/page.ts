@@ -220,6 +220,8 @@ export interface Page {
   readonly legalOffer: ReadonlySignal<LegalOffer | null>;
   /** Takes that. */
   takeLegal(): void;
+  /** Looks for a part that fits where one does not, in the model of a file. */
+  mendModel(): void;
   /** A list of parts that was read, until a person takes it or not. */
   readonly ownedList: Signal<OwnedList | null>;
   readonly panelOpen: Signal<boolean>;

@@ -94,6 +94,11 @@ function Ways({ card }: { readonly card: CardState }) {
       {(first.kind === 'problem' || first.kind === 'item') && ofSearch(page) ? (
         <CommandButton id="newSeed" words={text.result.trySeed} class="small" />
       ) : null}
+      {first.kind === 'problem' && !ofSearch(page) ? (
+        <button type="button" class="button primary small" onClick={page.mendModel}>
+          {text.mends.look}
+        </button>
+      ) : null}
       {show ? (
         <button type="button" class="button small" onClick={show}>
           {text.verdict.show}

@@ -31,6 +31,13 @@ export const FILES_DE: Words<typeof FILES_EN> = {
     exportFailed: 'Die Datei ließ sich nicht schreiben: {message}',
     reading: '{name} wird gelesen …',
   },
+  mends: {
+    look: 'Abhilfe suchen',
+    looking: 'Andere Pins werden probiert …',
+    none: 'Kein anderer Pin hilft hier.',
+    done: '{after} statt {before}: Es stimmt nun alles.',
+    part: '{after} statt {before}: An {n} Stellen stimmt noch etwas nicht.',
+  },
   legal: {
     show: 'Die nächste baubare zeigen',
     title: 'Die nächste Zeichnung, die sich bauen lässt',

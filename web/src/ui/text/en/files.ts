@@ -26,6 +26,14 @@ export const FILES_EN = {
     exportFailed: 'The file could not be written: {message}',
     reading: 'Reading {name}…',
   },
+  /** A part for another in the model of a file. */
+  mends: {
+    look: 'Look for a mend',
+    looking: 'Trying other pins…',
+    none: 'No other pin helps here.',
+    done: '{after} in place of {before}: nothing is wrong any more.',
+    part: '{after} in place of {before}: {n} places are still wrong.',
+  },
   /** The nearest drawing that can be built to one that cannot. */
   legal: {
     show: 'Show the nearest that can be built',
