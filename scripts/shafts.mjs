@@ -59,15 +59,16 @@ function build({ way, wanted }, folder) {
   const solved = liftarm('solve', join(folder, 'Gear-train.sketch.json'), '-o', folder, '--json');
   const checked = liftarm('check', join(folder, 'Gear-train.model.json'), '--json');
   const sketch = JSON.parse(readFileSync(join(folder, 'Gear-train.model.json'), 'utf8')).sketch;
-  return { way, wanted, found, solved, checked, ratio, drives: sketch.drives.length };
+  // The processor's: on a busy machine a search waits more than it works.
+  const seconds = JSON.parse(solved.text).seconds.processor;
+  return { way, wanted, found, solved, checked, ratio, seconds, drives: sketch.drives.length };
 }
 
-function lineOf({ way, wanted, found, solved, checked, ratio }) {
+function lineOf({ way, wanted, found, solved, checked, ratio, seconds }) {
   const said = !found.good
     ? 'no train'
     : `${ratio.toFixed(3)}, ${solved.good ? 'built' : 'NOT BUILT'}, ${checked.good ? 'checked' : 'CHECK FAILS'}`;
-  const seconds = (solved?.seconds ?? found.seconds).toFixed(2);
-  return `${way.join(', ')} at ${wanted.toFixed(3)}: ${said}, ${seconds} s`;
+  return `${way.join(', ')} at ${wanted.toFixed(3)}: ${said}, ${(seconds ?? found.seconds).toFixed(2)} s`;
 }
 
 function main() {
@@ -100,9 +101,9 @@ function main() {
     console.log(
       `built, all checks green: ${share(({ solved, checked }) => solved?.good && checked.good)}`,
     );
-    const seconds = rows.map((row) => row.solved?.seconds);
+    const seconds = rows.flatMap((row) => row.seconds ?? []);
     console.log(
-      `seconds a model: ${median(seconds)?.toFixed(2)}, at most ${greatest(seconds)?.toFixed(2)}`,
+      `seconds of the processor a model: ${median(seconds)?.toFixed(2)}, at most ${greatest(seconds)?.toFixed(2)}`,
     );
   } finally {
     rmSync(folder, { recursive: true });

@@ -171,10 +171,13 @@ class SiteFinder {
     return best;
   }
 
-  //! Whether no joint turns about a hole that goes another way, and all junctions near are on the
-  //! run's lattice.
+  //! Whether no joint turns about a hole that goes another way, no shaft may run in one, and all
+  //! junctions near are on the run's lattice.
   [[nodiscard]] bool isFree(const SiteArm& arm) const {
     const guide::GuideRun& own = run(arm.run);
+    if (own.exact && own.axes.size() == 1 && arm.beam.crossed != 0) {
+      return false;
+    }
     for (std::size_t j = 0; j < own.junctions.size(); ++j) {
       const int node = own.junctionIndices[j];
       if (graph_.junctions[at(own.junctions[j])].joint >= 0 && arm.beam.reaches(node) &&

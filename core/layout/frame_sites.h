@@ -28,9 +28,10 @@ struct FrameSite {
 //! \brief All places where frames can lie. \details Each bar on another run, parallel to a
 //! principal axis, which may stick out past either end of its run by one module and covers at least
 //! one edge of it. Where bars cross the runs must meet, and no joint may turn there; nor may one
-//! turn where the frame's hole goes another way. Runs near a junction off their lattice are left
-//! out, since frames are wider than the beams whose shadows local views know.
-//! \param views, seenBy As in LayoutProblem.
+//! turn where the frame's hole goes another way. All holes on an exact line of one hole axis go
+//! along it: shafts may run in any of them. Runs near a junction off their lattice are left out,
+//! since frames are wider than the beams whose shadows local views know. \param views, seenBy As in
+//! LayoutProblem.
 std::vector<FrameSite> findFrameSites(const guide::GuidingGraph& graph,
                                       const std::vector<LocalView>& views,
                                       const std::vector<std::vector<std::pair<int, int>>>& seenBy);

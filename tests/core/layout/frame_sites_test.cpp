@@ -61,6 +61,14 @@ TEST(FrameSites, ALineWithAnotherHoleAxisHasNone) {
   EXPECT_TRUE(sitesOf(turned, "64179").empty());
 }
 
+TEST(FrameSites, AnExactLineOfOneHoleAxisTakesNoHoleThatGoesAnotherWay) {
+  sketch::Sketch bearing = testing::rectangleSketch(4, 6);
+  bearing.lines[1].holeAxis = lattice::Axis::kZ;
+  EXPECT_EQ(sitesOf(bearing, "64179").size(), 1U);
+  bearing.lines[1].exact = true;
+  EXPECT_TRUE(sitesOf(bearing, "64179").empty());
+}
+
 TEST(FrameSites, AJointAtACornerLeavesNone) {
   for (const Vec3 corner : {Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{4, 6, 0}, Vec3{0, 6, 0}}) {
     sketch::Sketch hinged = testing::rectangleSketch(4, 6);
