@@ -53,7 +53,14 @@ const LAST = [
 ];
 const SHARES = 6;
 /** There only while a search runs (access.spec.ts), with something undone or hidden, or with shafts (shafts.spec.ts). */
-const IN_OTHER_STATES = ['cancel', 'clearShafts', 'redo', 'isolateNone'];
+const IN_OTHER_STATES = [
+  'cancel',
+  'clearShafts',
+  'crankOnShaft',
+  'wheelsOnShaft',
+  'redo',
+  'isolateNone',
+];
 
 /** Has every property, and each is this again: enough to make the table of commands, of which only the names are read. */
 const ANYTHING: Actions = new Proxy(() => undefined, {

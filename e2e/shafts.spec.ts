@@ -67,6 +67,11 @@ test('two shafts are coupled at a typed ratio, and the model is buildable with i
   await expect
     .poll(async () => ((await savedSketch(page)) as unknown as { drives?: unknown }).drives)
     .toEqual([{ from: 0, to: 1, ratio: 15 }]);
+  await runCommand(page, 'Crank on the last shaft');
+  await page.getByLabel('At its end').selectOption('wheel');
+  await expect
+    .poll(async () => ((await savedSketch(page)) as { shafts?: unknown[] } | null)?.shafts?.[1])
+    .toEqual({ ...FRAME.shafts[1], atFrom: 'crank', atTo: 'wheel' });
   await generate(page);
   await expect(page.getByTestId('verdict')).toContainText('Buildable');
   await turns(page);
@@ -74,4 +79,18 @@ test('two shafts are coupled at a typed ratio, and the model is buildable with i
   await expect
     .poll(async () => Object.keys((await savedSketch(page)) ?? {}))
     .not.toContain('shafts');
+});
+
+test('both axles of the wagon in the gallery turn', async ({ page }) => {
+  test.slow();
+  await page.goto('./?room=gallery');
+  await page.locator('[data-model="wagon"]').getByRole('button', { name: 'Move it' }).click();
+  const angle = page.getByRole('slider', { name: 'Angle' });
+  await expect(angle).toBeVisible({ timeout: 90_000 });
+  await page.getByRole('checkbox', { name: /Shaft 2/ }).check();
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  for (const name of ['Angle, Shaft 1', 'Angle, Shaft 2']) {
+    await expect(page.getByRole('slider', { name })).not.toHaveValue('0');
+  }
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
 });

@@ -9,6 +9,7 @@
 #include "analysis/motion_collisions.h"
 #include "base/index.h"
 #include "model/number_text.h"
+#include "parts/gear_teeth.h"
 #include "sketch/shaft_json.h"
 
 namespace liftarm::analysis {
@@ -21,6 +22,7 @@ using lattice::Vec3;
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kSteps = 24;          // over a turn of the slowest shaft of a train
 constexpr double kRounding = 1e-9;  // of a ratio
+constexpr double kOnEnd = 0.1;      // modules
 
 class DriveJudge {
  public:
@@ -76,10 +78,34 @@ class DriveJudge {
       bearings += c.male == *axle && round ? 1 : 0;
       held = held || (c.male == *axle && c.fit == model::Fit::kTurn);
     }
+    judgeEnd(index, *axle, shafts_.shafts[at(index)].atFrom, shafts_.shafts[at(index)].from);
+    judgeEnd(index, *axle, shafts_.shafts[at(index)].atTo, shafts_.shafts[at(index)].to);
     if (bearings < 2) {
       fail(place + "its axle runs in fewer than two holes", from, {*axle});
     } else if (!held) {
       fail(place + "its axle can slide out", from, {*axle});
+    }
+  }
+
+  //! What is drawn at an end sits on the axle, within a module of that end.
+  void judgeEnd(int index, int axle, sketch::ShaftEnd what, lattice::Cell end) {
+    if (what == sketch::ShaftEnd::kNothing) {
+      return;
+    }
+    const bool crank = what == sketch::ShaftEnd::kCrank;
+    const Vec3 place = lattice::toVec3(end);
+    const bool sits = std::any_of(
+        scene_.connections.begin(), scene_.connections.end(), [&](const model::Connection& c) {
+          return c.male == axle && c.fit == model::Fit::kRigid &&
+                 scene_.model->parts[at(c.female)].part ==
+                     (crank ? parts::kCrankArm : parts::kWheel) &&
+                 lattice::length(c.at - place) < 1.0 + kOnEnd;
+        });
+    if (!sits) {
+      fail("shafts[" + std::to_string(index) + "]: no " + (crank ? "crank" : "wheel") +
+               " sits at its end",
+           place,
+           {axle});
     }
   }
 

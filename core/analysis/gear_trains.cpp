@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "analysis/union_find.h"
@@ -81,6 +82,7 @@ class TrainsFinder {
         trains_.shafts[at(found->second)].parts.push_back(static_cast<int>(i));
       }
     }
+    takeHandles();
     for (std::size_t i = axles.size(); i-- > 0;) {
       if (axles[i].has_value()) {
         trains_.shafts[at(shaftOf_[at(*axles[i])])].drawn = static_cast<int>(i);
@@ -88,6 +90,31 @@ class TrainsFinder {
     }
     for (std::size_t s = 0; s < trains_.shafts.size(); ++s) {
       measure(static_cast<int>(s), axles);
+    }
+  }
+
+  //! Pins that hang on one shaft alone turn with it: handles of cranks.
+  void takeHandles() {
+    std::vector<std::set<int>> holders(scene_.parts.size());  // shafts, -1 for all else
+    for (const model::Connection& c : scene_.connections) {
+      if (model::isGood(c.fit)) {
+        holders[at(c.male)].insert(shaftOf_[at(c.female)]);
+        holders[at(c.female)].insert(shaftOf_[at(c.male)]);
+      }
+    }
+    for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+      const parts::Part* part = scene_.parts[i].part;
+      const bool hangs = part != nullptr && part->partClass == parts::PartClass::kPin &&
+                         holders[i].size() == 1 && *holders[i].begin() >= 0;
+      if (hangs && shaftOf_[i] < 0) {
+        std::vector<int>& parts = trains_.shafts[at(*holders[i].begin())].parts;
+        parts.insert(std::lower_bound(parts.begin(), parts.end(), static_cast<int>(i)),
+                     static_cast<int>(i));
+        handles_.emplace_back(static_cast<int>(i), *holders[i].begin());
+      }
+    }
+    for (const auto& [part, shaft] : handles_) {
+      shaftOf_[at(part)] = shaft;
     }
   }
 
@@ -222,7 +249,8 @@ class TrainsFinder {
 
   const Scene& scene_;
   UnionFind rigid_;
-  std::vector<int> shaftOf_;  // per part
+  std::vector<int> shaftOf_;                  // per part
+  std::vector<std::pair<int, int>> handles_;  // part, shaft
   GearTrains trains_;
 };
 

@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/det_math.h"
 #include "design/crossed_part.h"
+#include "parts/gear_teeth.h"
 
 namespace liftarm::design {
 
@@ -43,6 +44,25 @@ class ShaftBuilder {
     return {id, known->color, crossedPose(cross, cross.axis, {centre, along, wing_}), -1, 0, 0};
   }
 
+  //! The pin in the hole of a crank's arm.
+  [[nodiscard]] model::PlacedPart handle(const gears::CrankHandle& crank) const {
+    const parts::Catalogue& catalogue = parts::Catalogue::builtIn();
+    const model::PlacedPart arm = part(parts::kCrankArm, static_cast<double>(crank.slot));
+    const parts::Part* pin = catalogue.find(parts::kCrankHandle);
+    const std::vector<parts::Feature>& holes = catalogue.find(parts::kCrankArm)->features;
+    const auto hole = std::find_if(holes.begin(), holes.end(), [](const parts::Feature& feature) {
+      return feature.kind == parts::FeatureKind::kPinHole;
+    });
+    LIFTARM_CHECK(pin != nullptr && hole != holes.end(), "a crank takes a handle");
+    Vec3 out;
+    out[shaft_.axis] = static_cast<double>(crank.side);
+    const Vec3 along = pin->features.front().axis;  // of its own frame: x, either way
+    const lattice::Mat3 rotation =
+        lattice::fromColumns(along.x * out, wing_, lattice::cross(along.x * out, wing_));
+    const Vec3 middle = arm.pose.apply(hole->center) + 0.5 * out;
+    return {pin->id, pin->color, {middle, rotation}, -1, 0, 0};
+  }
+
  private:
   const gears::PlannedShaft& shaft_;
   Vec3 wing_;
@@ -56,7 +76,12 @@ std::vector<model::PlacedPart> shaftParts(const gears::ShaftPlan& plan) {
     const ShaftBuilder builder(shaft);
     placed.push_back(builder.part(shaft.axle, 0.5 * static_cast<double>(shaft.first + shaft.last)));
     for (const gears::Seat& seat : shaft.seats) {
-      placed.push_back(builder.part(seat.part, static_cast<double>(seat.slot)));
+      if (!seat.part.empty()) {
+        placed.push_back(builder.part(seat.part, static_cast<double>(seat.slot)));
+      }
+    }
+    for (const gears::CrankHandle& handle : shaft.handles) {
+      placed.push_back(builder.handle(handle));
     }
   }
   return placed;

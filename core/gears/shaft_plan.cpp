@@ -109,6 +109,14 @@ class ShaftPlanner {
         return refuse("shafts", index, "meets shafts[" + std::to_string(other) + "]");
       }
     }
+    const bool forward = drawn.from[shaft.axis] < drawn.to[shaft.axis];
+    for (const int side : {-1, 1}) {
+      const bool first = (side < 0) == forward;
+      const std::string why = addEnd(shaft, side, first ? drawn.atFrom : drawn.atTo, nodes_);
+      if (!why.empty()) {
+        return refuse("shafts", index, why);
+      }
+    }
     group_.push_back(index);
     plan_.shafts.push_back(std::move(shaft));
   }
@@ -198,7 +206,7 @@ class ShaftPlanner {
       request.taken.push_back({shaft.at, std::nullopt, kAxleRadius});
     }
     for (const Seat& seat : shaft.seats) {
-      request.taken.push_back({shaft.at, seat.slot - window.low - 1, tipRadius(seat.teeth)});
+      request.taken.push_back({shaft.at, seat.slot - window.low - 1, seat.radius});
     }
   }
 
@@ -298,7 +306,7 @@ class ShaftPlanner {
       });
       const int shaft = indices[at(gear.shaft)];
       plan_.shafts[at(shaft)].seats.push_back(
-          {window.low + 1 + gear.plane, size->part, gear.teeth});
+          {window.low + 1 + gear.plane, size->part, gear.teeth, tipRadius(gear.teeth)});
       if (g > 0 && train.gears[g - 1].shaft != gear.shaft) {
         const TrainGear& before = train.gears[g - 1];
         meshes_.push_back({indices[at(before.shaft)], shaft, before.teeth, gear.teeth});

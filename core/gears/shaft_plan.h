@@ -12,11 +12,18 @@
 
 namespace liftarm::gears {
 
-//! \brief A gear or a bush on an axle, in the slot at this coordinate along it.
+//! \brief A part on an axle, in the slot at this coordinate along it.
 struct Seat {
   int slot = 0;
-  std::string part;  //!< LDraw number
-  int teeth = 0;     //!< 0: a bush
+  std::string part;     //!< LDraw number; empty: room for a part that does not sit on the axle
+  int teeth = 0;        //!< of a gear
+  double radius = 0.0;  //!< of what it sweeps
+};
+
+//! \brief The handle of a crank: a pin in the arm at a slot, that sticks out to one side.
+struct CrankHandle {
+  int slot = 0;
+  int side = 1;
 };
 
 //! \brief An axle and what sits on it; all of it turns as one.
@@ -29,6 +36,7 @@ struct PlannedShaft {
   std::vector<Seat> seats;    //!< by slot
   double phase = 0.0;         //!< radians that it is turned about its axis, so that teeth meet gaps
   std::vector<int> bearings;  //!< slots in which lines hold it
+  std::vector<CrankHandle> handles = {};
 };
 
 //! \brief What the shafts and drives of a sketch are made of.

@@ -8,6 +8,7 @@
 #include "gears/gear_sizes.h"
 #include "gears/train_room.h"
 #include "parts/catalogue.h"
+#include "parts/gear_teeth.h"
 
 namespace liftarm::gears {
 
@@ -17,6 +18,9 @@ using lattice::Cell;
 
 constexpr const char* kBush = "3713";
 constexpr double kBushRadius = 0.45;
+constexpr double kCrankRadius = 1.45;  // modules
+constexpr double kWheelRadius = 2.335;
+constexpr double kHalfBeam = 0.5;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kPriceOfSlot = 0.5;  // in bushes: of a longer axle
 
@@ -49,7 +53,7 @@ bool hasRoom(const PlannedShaft& shaft,
       return true;
     }
     return std::all_of(other.seats.begin(), other.seats.end(), [&](const Seat& seat) {
-      return seat.teeth == 0 || keepApart(bush, {other.at, seat.slot, tipRadius(seat.teeth)});
+      return keepApart(bush, {other.at, seat.slot, seat.radius});
     });
   });
 }
@@ -78,7 +82,41 @@ std::optional<Hold> holdAt(const PlannedShaft& shaft,
   return axleOf(hold.last - hold.first + 1).has_value() ? std::optional(hold) : std::nullopt;
 }
 
+//! Whether a line is in the way of what a seat sweeps.
+bool meetsLine(const PlannedShaft& shaft, const Seat& seat, const LineNodes& nodes) {
+  const lattice::Vec3 middle = lattice::toVec3(cellOf(shaft.axis, shaft.at, seat.slot));
+  return std::any_of(nodes.all().begin(), nodes.all().end(), [&](lattice::Vec3 node) {
+    lattice::Vec3 across = node - middle;
+    const double along = std::abs(across[shaft.axis]);
+    across[shaft.axis] = 0.0;
+    return along < 1.0 && lattice::length(across) < seat.radius + kHalfBeam;
+  });
+}
+
 }  // namespace
+
+std::string addEnd(PlannedShaft& shaft, int side, sketch::ShaftEnd what, const LineNodes& nodes) {
+  if (what == sketch::ShaftEnd::kNothing) {
+    return "";
+  }
+  int& end = side > 0 ? shaft.last : shaft.first;
+  end += end == (side > 0 ? shaft.bearings.back() : shaft.bearings.front()) ? side : 0;
+  if (what == sketch::ShaftEnd::kWheel) {
+    shaft.seats.push_back({end, parts::kWheel, 0, kWheelRadius});
+  } else {
+    shaft.seats.push_back({end, parts::kCrankArm, 0, kCrankRadius});
+    shaft.seats.push_back({end + side, "", 0, kCrankRadius});
+    shaft.handles.push_back({end, side});
+  }
+  for (const Seat& seat : shaft.seats) {
+    if (meetsLine(shaft, seat, nodes)) {
+      return "a line is in the way of what turns at its end";
+    }
+  }
+  return axleOf(shaft.last - shaft.first + 1).has_value()
+             ? ""
+             : "no axle is long enough for what turns at its ends";
+}
 
 bool holdShaft(PlannedShaft& shaft,
                const std::vector<PlannedShaft>& others,
@@ -96,7 +134,7 @@ bool holdShaft(PlannedShaft& shaft,
   shaft.first = best->first;
   shaft.last = best->last;
   for (const int slot : best->bushes) {
-    shaft.seats.push_back({slot, kBush, 0});
+    shaft.seats.push_back({slot, kBush, 0, kBushRadius});
   }
   std::sort(shaft.seats.begin(), shaft.seats.end(), [](const Seat& a, const Seat& b) {
     return a.slot < b.slot;
@@ -173,8 +211,8 @@ std::vector<sketch::KeepOut> roomOf(const PlannedShaft& shaft) {
     }
   }
   for (const Seat& seat : shaft.seats) {
-    const std::vector<int> rows = rowsOf(seat.teeth == 0 ? kBushRadius : tipRadius(seat.teeth));
-    for (int row = 0; row < static_cast<int>(rows.size()) && seat.teeth > 0; ++row) {
+    const std::vector<int> rows = rowsOf(seat.radius);
+    for (int row = 0; row < static_cast<int>(rows.size()) && seat.radius > kBushRadius; ++row) {
       const int reach = rows[static_cast<std::size_t>(row)];
       add(seat.slot, {-reach, row}, {reach, row});
       if (row > 0) {

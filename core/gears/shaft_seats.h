@@ -16,6 +16,10 @@ bool holdShaft(PlannedShaft& shaft,
                const std::vector<PlannedShaft>& others,
                const LineNodes& nodes);
 
+//! \brief Puts a crank or a wheel at an end of a shaft, beyond its last bearing there.
+//! \param side -1 or 1 along the axis. \return Why that cannot be; empty where it can.
+std::string addEnd(PlannedShaft& shaft, int side, sketch::ShaftEnd what, const LineNodes& nodes);
+
 //! \brief The number of the axle that has so many slots.
 std::optional<std::string> axleOf(int slots);
 

@@ -8,11 +8,16 @@
 
 namespace liftarm::sketch {
 
+//! \brief What sits at an end of a shaft.
+enum class ShaftEnd { kNothing, kCrank, kWheel };
+
 //! \brief An axle that turns in the holes of the lines that it crosses. Each node from its first to
 //! its last is a slot of one module.
 struct Shaft {
   lattice::Cell from;
   lattice::Cell to;
+  ShaftEnd atFrom = ShaftEnd::kNothing;
+  ShaftEnd atTo = ShaftEnd::kNothing;
 
   //! \brief The axis that it lies along.
   [[nodiscard]] int axis() const { return from.x != to.x ? 0 : (from.y != to.y ? 1 : 2); }

@@ -1,6 +1,8 @@
 #include "sketch/shaft_json.h"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "sketch/json_text.h"
 #include "sketch/sketch_json.h"
@@ -10,6 +12,18 @@ namespace liftarm::sketch {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::array<std::pair<ShaftEnd, const char*>, 2> kEndWords{
+    {{ShaftEnd::kCrank, "crank"}, {ShaftEnd::kWheel, "wheel"}}};
+
+std::string endText(const char* key, ShaftEnd end) {
+  for (const auto& [what, word] : kEndWords) {
+    if (what == end) {
+      return ", \"" + std::string(key) + "\": \"" + word + "\"";
+    }
+  }
+  return "";
+}
 
 class ShaftReader {
  public:
@@ -49,8 +63,10 @@ class ShaftReader {
   }
 
   bool readShaft(const json& value, const std::string& place, Shaft& shaft) {
-    if (!fields_.object(value, place, {"from", "to"}) ||
-        !readEnd(value, place, "from", shaft.from) || !readEnd(value, place, "to", shaft.to)) {
+    if (!fields_.object(value, place, {"from", "to", "atFrom", "atTo"}) ||
+        !readEnd(value, place, "from", shaft.from) || !readEnd(value, place, "to", shaft.to) ||
+        !readWord(value, place, "atFrom", shaft.atFrom) ||
+        !readWord(value, place, "atTo", shaft.atTo)) {
       return false;
     }
     int along = 0;
@@ -86,6 +102,21 @@ class ShaftReader {
       }
     }
     return true;
+  }
+
+  //! What sits at an end; nothing where the key is left out.
+  bool readWord(const json& value, const std::string& place, const char* key, ShaftEnd& end) {
+    const auto found = value.find(key);
+    if (found == value.end()) {
+      return true;
+    }
+    for (const auto& [what, word] : kEndWords) {
+      if (*found == word) {
+        end = what;
+        return true;
+      }
+    }
+    return fields_.fail(memberPlace(place, key), "expected \"crank\" or \"wheel\"");
   }
 
   bool readDrive(const json& value, const std::string& place, Shafts& all) {
@@ -188,7 +219,8 @@ std::string shaftsText(const Shafts& shafts) {
                   shafts.shafts,
                   [](const Shaft& shaft) {
                     return R"({"from": )" + cellText(shaft.from) + R"(, "to": )" +
-                           cellText(shaft.to) + "}";
+                           cellText(shaft.to) + endText("atFrom", shaft.atFrom) +
+                           endText("atTo", shaft.atTo) + "}";
                   }) +
          listText("drives", shafts.drives, driveText);
 }

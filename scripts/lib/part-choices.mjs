@@ -312,6 +312,8 @@ const GEARS = {
   32269: gear(BLACK, 27, 10),
   46372: gear(DARK, 36.802, 10),
   32498: gear(BLACK, 47, 10),
+  // A pulley, which serves as a wheel.
+  3736: gear(LIGHT, 46.7, 10),
 };
 
 export const PARTS = { ...BEAMS, ...PINS, ...AXLES, ...BUSHES, ...CONNECTORS, ...GEARS };

@@ -1,6 +1,8 @@
 import { beforeAll, describe, expect, it } from 'vitest';
-import type { PlacedPart } from '../../web/src/model/model.ts';
+import { trainPath } from '../../web/src/model/gear-motion.ts';
+import type { Model, PlacedPart } from '../../web/src/model/model.ts';
 import { posesAt, readMotionAnswer, readMotionPath } from '../../web/src/model/motion.ts';
+import type { SketchDocument } from '../../web/src/model/sketch.ts';
 import type { SolverModule } from '../../web/src/solver/solver-module.ts';
 import { placeTrain, readGearTrain, withTrain } from '../../web/src/ui/gallery/gear-train.ts';
 import { catalogue } from '../web/view/helpers/catalogue.ts';
@@ -39,7 +41,33 @@ const collisionsOf = (check: Check) =>
     ? []
     : check.problems.map(({ message }) => message);
 
-describe.each(models.filter(({ moves }) => moves))('joints of $id', (row) => {
+/** Models that turn on shafts, without a joint. */
+const isDriven = (row: GalleryTestRow) => row.moves && text(row.file).includes('"shafts"');
+
+describe.each(models.filter(isDriven))('shafts of $id', (row) => {
+  it('turn, and nothing collides on the way', () => {
+    const json = solved(row);
+    const model = JSON.parse(json) as Model & { readonly sketch: SketchDocument };
+    const { trains } = readMotionAnswer(module.analyseMotionJson(json).text);
+    const drawn = trains.flatMap(({ shafts }) => shafts.map((shaft) => shaft.drawn));
+    const numbers = model.sketch.shafts?.map((_, i) => i);
+    expect(drawn.filter((shaft) => shaft !== null).sort()).toEqual(numbers);
+    for (const train of trains) {
+      const path = trainPath(train, model.parts, model.sketch.drives);
+      expect(path.turns, path.message).toBe(true);
+      for (const degrees of [37, 100, 190, 290]) {
+        const poses = posesAt(path, degrees);
+        const parts = model.parts.map((part, i) => ({ ...part, ...poses.get(i) }));
+        const { sketch: _, ...moved } = model;
+        expect(collisionsOf(checked({ ...moved, parts }))).toEqual([]);
+      }
+    }
+  }, 180_000);
+});
+
+const isJointed = (row: GalleryTestRow) => row.moves && !isDriven(row);
+
+describe.each(models.filter(isJointed))('joints of $id', (row) => {
   it('turn within their ranges, and nothing collides on the way', () => {
     const json = solved(row);
     const model = JSON.parse(json) as { parts: PlacedPart[]; sketch: { joints: unknown[] } };

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -23,6 +25,17 @@ const char* const kGearbox = R"({"format": "technic-sketch", "version": 2, "name
   "shafts": [{"from": [4, -2, 4], "to": [4, 5, 4]}, {"from": [9, -1, 4], "to": [9, 6, 4]}],
   "drives": [{"from": 0, "to": 1, "ratio": 15}]})";
 
+//! The same with a crank and a wheel at the outer ends of its shafts.
+std::string crankedGearbox() {
+  std::string text = kGearbox;
+  const auto put = [&text](const std::string& after, const std::string& end) {
+    text.insert(text.find(after) + after.size(), end);
+  };
+  put(R"("to": [4, 5, 4])", R"(, "atFrom": "crank")");
+  put(R"("to": [9, 6, 4])", R"(, "atTo": "wheel")");
+  return text;
+}
+
 model::Model solved(const char* sketch) {
   auto session = DesignSession::create(sketch, "{}");
   EXPECT_TRUE(session.ok());
@@ -40,6 +53,35 @@ TEST(ShaftsInAModel, AGearboxIsBuildableWithItsGearsInIt) {
     gears += parts::teethOf(*parts::Catalogue::builtIn().find(part.part)) > 0 ? 1 : 0;
   }
   EXPECT_EQ(gears, 4);
+}
+
+TEST(ShaftsInAModel, ACrankAndAWheelAreBuildableAndTurnWithTheirShafts) {
+  const model::Model model = solved(crankedGearbox().c_str());
+  const analysis::CheckReport report = analysis::checkModel(model, parts::Catalogue::builtIn());
+  EXPECT_TRUE(report.buildable) << (report.problems.empty() ? "" : report.problems.front().message);
+  const nlohmann::json motion =
+      nlohmann::json::parse(analyseMotionJson(model::writeModel(model)).value());
+  std::set<std::string> turning;
+  for (const nlohmann::json& shaft : motion.at("trains").at(0).at("shafts")) {
+    for (const int part : shaft.at("parts")) {
+      turning.insert(model.parts[static_cast<std::size_t>(part)].part);
+    }
+  }
+  for (const char* part : {parts::kCrankArm, parts::kCrankHandle, parts::kWheel}) {
+    EXPECT_EQ(turning.count(part), 1U) << part;
+  }
+}
+
+TEST(ShaftsInAModel, AModelWithoutItsWheelFails) {
+  model::Model model = solved(crankedGearbox().c_str());
+  model.parts.erase(
+      std::find_if(model.parts.begin(), model.parts.end(), [](const model::PlacedPart& part) {
+        return part.part == parts::kWheel;
+      }));
+  const analysis::CheckReport report = analysis::checkModel(model, parts::Catalogue::builtIn());
+  EXPECT_TRUE(std::any_of(report.problems.begin(), report.problems.end(), [](const auto& problem) {
+    return problem.message == "shafts[1]: no wheel sits at its end";
+  }));
 }
 
 TEST(ShaftsInAModel, ItsSketchStillSaysWhatTurns) {

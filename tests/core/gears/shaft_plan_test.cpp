@@ -87,6 +87,38 @@ TEST(ShaftPlan, TurnsShaftsSoThatATeethMeetsAGap) {
   EXPECT_NEAR(std::abs(sum - std::round(sum)), 0.5, 1e-9);
 }
 
+TEST(ShaftPlan, PutsAWheelBeyondTheLastBearing) {
+  const auto plan = planOf(R"("shafts": [{"from": [4, 0, 0], "to": [4, 4, 0], "atTo": "wheel"}])");
+  ASSERT_TRUE(plan.ok()) << plan.error().message;
+  const PlannedShaft& shaft = plan.value().shafts.front();
+  EXPECT_EQ(shaft.last, 5);
+  EXPECT_EQ(shaft.seats.back().slot, 5);
+  EXPECT_GT(shaft.seats.back().radius, 2.0);
+}
+
+TEST(ShaftPlan, PutsACrankWithItsHandleAtTheFirstEnd) {
+  const auto plan =
+      planOf(R"("shafts": [{"from": [4, -2, 0], "to": [4, 5, 0], "atFrom": "crank"}])");
+  ASSERT_TRUE(plan.ok()) << plan.error().message;
+  const PlannedShaft& shaft = plan.value().shafts.front();
+  ASSERT_EQ(shaft.handles.size(), 1U);
+  EXPECT_EQ(shaft.handles[0].slot, -2);
+  EXPECT_EQ(shaft.handles[0].side, -1);
+}
+
+TEST(ShaftPlan, SaysThatALineIsInTheWayOfAWheel) {
+  const std::string between =
+      R"("lines": [{"from": [0, 0, 0], "to": [14, 0, 0]}, {"from": [0, 2, 0], "to": [14, 2, 0]},
+                   {"from": [5, 3, 0], "to": [5, 3, 6]}],
+         "shafts": [{"from": [4, 0, 0], "to": [4, 2, 0], "atTo": "wheel"}]})";
+  const std::string text = R"({"format": "technic-sketch", "version": 2, )" + between;
+  const auto sketch = sketch::readSketch(text);
+  ASSERT_TRUE(sketch.ok()) << sketch.error().message;
+  const auto plan = planShafts(sketch.value(), sketch::shaftsOf(text));
+  ASSERT_FALSE(plan.ok());
+  EXPECT_EQ(plan.error().message, "shafts[0]: a line is in the way of what turns at its end");
+}
+
 TEST(ShaftPlan, SaysWhichShaftRunsInTooFewLines) {
   EXPECT_EQ(messageOf(R"("shafts": [{"from": [4, -1, 0], "to": [4, 2, 0]}])"),
             "shafts[0]: runs in the holes of 1 lines; it needs two at least, each at one of its "

@@ -40,6 +40,21 @@ TEST(ShaftJson, WhatIsWrittenReadsBackTheSame) {
   EXPECT_TRUE(readSketch(written).ok());
 }
 
+TEST(ShaftJson, KeepsWhatSitsAtItsEnds) {
+  const std::string text = turning(
+      R"(, "shafts": [{"from": [1, -1, 0], "to": [1, 4, 0], "atFrom": "crank", "atTo": "wheel"}])");
+  const std::string written = writeSketch(readSketch(text).value(), {}, {}, shaftsOf(text));
+  const Shafts again = shaftsOf(written);
+  ASSERT_EQ(again.shafts.size(), 1U);
+  EXPECT_EQ(again.shafts[0].atFrom, ShaftEnd::kCrank);
+  EXPECT_EQ(again.shafts[0].atTo, ShaftEnd::kWheel);
+}
+
+TEST(ShaftJson, RefusesWhatCannotSitAtAnEnd) {
+  EXPECT_EQ(messageOf(R"(, "shafts": [{"from": [1, 0, 0], "to": [1, 4, 0], "atTo": "sail"}])"),
+            "shafts[0].atTo: expected \"crank\" or \"wheel\"");
+}
+
 TEST(ShaftJson, SaysWhereAShaftLeavesTheLattice) {
   EXPECT_EQ(messageOf(R"(, "shafts": [{"from": [1, -1, 0.5], "to": [1, 4, 0.5]}])"),
             "shafts[0].from: 0.5 is not on the lattice; shafts lie on whole modules");

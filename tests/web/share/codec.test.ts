@@ -146,6 +146,17 @@ describe('share link', () => {
     expect(read).toEqual({ ok: true, value: STATE_6 });
   });
 
+  it('holds what sits at the ends of shafts', async () => {
+    const shafts = [
+      { from: [1, -1, 0], to: [1, 5, 0], atTo: 'wheel' },
+      { from: [4, -1, 0], to: [4, 5, 0], atFrom: 'crank', atTo: 'wheel' },
+    ] as const;
+    const state = { ...STATE_6, sketch: { ...STATE_6.sketch, shafts } };
+    const encoded = await encodeShare(state);
+    const read = await decodeShare(encoded.ok ? encoded.value : '');
+    expect(read).toEqual({ ok: true, value: state });
+  });
+
   it('is refused where a drive couples what is no shaft', async () => {
     const drives = [{ from: 0, to: 7, ratio: 5 }];
     const encoded = await encodeShare({ ...STATE_6, sketch: { ...STATE_6.sketch, drives } });

@@ -1,6 +1,12 @@
 import { signal } from '@preact/signals';
 import { describe, expect, it } from 'vitest';
-import { clearShafts, couple, isLegalShaft, lastPair } from '../../../web/src/state/shaft-edits.ts';
+import {
+  clearShafts,
+  couple,
+  isLegalShaft,
+  lastPair,
+  withEnds,
+} from '../../../web/src/state/shaft-edits.ts';
 import { SketchStore } from '../../../web/src/state/store.ts';
 import { ShaftTool } from '../../../web/src/tools/shaft-tool.ts';
 import type { PlaneMode, ToolContext } from '../../../web/src/tools/tool.ts';
@@ -94,5 +100,33 @@ describe('a drive', () => {
     ['x', null],
   ])('reads the ratio %s', (typed, ratio) => {
     expect(readRatio(typed)).toBe(ratio);
+  });
+});
+
+describe('the ends of the last shaft', () => {
+  const lines = [{ from: [0, 0, 0], to: [6, 0, 0] }] as const;
+  const sketch = {
+    format: 'technic-sketch',
+    version: 2,
+    name: '',
+    lines,
+    shafts: [
+      { from: [1, -1, 0], to: [1, 4, 0] },
+      { from: [4, -1, 0], to: [4, 4, 0] },
+    ],
+  } as const;
+
+  it('take a crank and a wheel', () => {
+    const cranked = withEnds(sketch, { atFrom: 'crank' });
+    const both = withEnds(cranked, { atTo: 'wheel' });
+    expect(both.shafts).toEqual([
+      sketch.shafts[0],
+      { ...sketch.shafts[1], atFrom: 'crank', atTo: 'wheel' },
+    ]);
+  });
+
+  it('are bare again', () => {
+    const cranked = withEnds(sketch, { atFrom: 'crank' });
+    expect(withEnds(cranked, { atFrom: null }).shafts).toEqual(sketch.shafts);
   });
 });

@@ -2,10 +2,21 @@ import type { Vec3 } from '../geometry/vec.ts';
 
 // What turns in a sketch of version 2 (docs/shafts.md); core/sketch/shaft_json.h is the authority.
 
+/** What sits at an end of a shaft. */
+export type ShaftEnd = 'crank' | 'wheel';
+export const SHAFT_ENDS: readonly ShaftEnd[] = ['crank', 'wheel'];
+
 /** An axle that turns in the holes of the lines that it crosses: each node from its first to its last is a slot. */
 export interface Shaft {
   readonly from: Vec3;
   readonly to: Vec3;
+  readonly atFrom?: ShaftEnd;
+  readonly atTo?: ShaftEnd;
+}
+
+/** A shaft with nothing but the keys that it has. */
+export function plainShaft({ from, to, atFrom, atTo }: Shaft): Shaft {
+  return { from, to, ...(atFrom ? { atFrom } : {}), ...(atTo ? { atTo } : {}) };
 }
 
 /** Two shafts that gears couple, by their numbers. */
@@ -61,8 +72,15 @@ function listFault(
   return null;
 }
 
-function shaftFault({ from, to }: Record<string, unknown>, place: string): string | null {
-  const fault = endFault(from, `${place}.from`) ?? endFault(to, `${place}.to`);
+function shaftFault(shaft: Record<string, unknown>, place: string): string | null {
+  const { from, to } = shaft;
+  const strange = (['atFrom', 'atTo'] as const).find(
+    (key) => shaft[key] !== undefined && !SHAFT_ENDS.includes(shaft[key] as ShaftEnd),
+  );
+  const fault =
+    endFault(from, `${place}.from`) ??
+    endFault(to, `${place}.to`) ??
+    (strange ? `${place}.${strange}: expected "crank" or "wheel"` : null);
   if (fault !== null) {
     return fault;
   }

@@ -1,7 +1,7 @@
 import { bad, good, type Outcome } from '../base/outcome.ts';
 import type { AxisName, Vec3 } from '../geometry/vec.ts';
 import { type Keep, keepFault } from '../model/keep.ts';
-import { type Drive, type Shaft, shaftsFault } from '../model/shafts.ts';
+import { type Drive, plainShaft, type Shaft, shaftsFault } from '../model/shafts.ts';
 import {
   isRange,
   type KeepOutBox,
@@ -130,7 +130,7 @@ function readShafts(root: Record<string, unknown>): Pick<SketchDocument, 'shafts
     throw new Refusal(fault);
   }
   // Other keys are not taken along: strict-sketch.ts refuses them in files.
-  const axles = ((shafts ?? []) as readonly Shaft[]).map(({ from, to }) => ({ from, to }));
+  const axles = ((shafts ?? []) as readonly Shaft[]).map(plainShaft);
   const couplings = ((drives ?? []) as readonly Drive[]).map(({ from, to, ratio, tolerance }) => ({
     from,
     to,

@@ -1,6 +1,13 @@
 import { axisOf } from '../geometry/legal-line.ts';
 import { distance, type Vec3 } from '../geometry/vec.ts';
-import { type Drive, MAX_RATIO, MAX_SHAFT_SLOTS, type Shaft } from '../model/shafts.ts';
+import {
+  type Drive,
+  MAX_RATIO,
+  MAX_SHAFT_SLOTS,
+  plainShaft,
+  type Shaft,
+  type ShaftEnd,
+} from '../model/shafts.ts';
 import { type SketchDocument, versionOf } from '../model/sketch.ts';
 
 // Edits of what turns in a sketch (docs/shafts.md): nothing here touches a store.
@@ -16,6 +23,22 @@ export function isLegalShaft(from: Vec3, to: Vec3): boolean {
 
 export function addShaft(sketch: SketchDocument, shaft: Shaft): SketchDocument {
   return { ...sketch, version: 2, shafts: [...(sketch.shafts ?? []), shaft] };
+}
+
+/** Puts something at the ends of the shaft drawn last, null for nothing; the sketch as it is where there is none. */
+export function withEnds(
+  sketch: SketchDocument,
+  ends: { readonly atFrom?: ShaftEnd | null; readonly atTo?: ShaftEnd | null },
+): SketchDocument {
+  const shafts = sketch.shafts ?? [];
+  const last = shafts.at(-1);
+  if (!last) {
+    return sketch;
+  }
+  const { atFrom = last.atFrom, atTo = last.atTo } = ends;
+  const bare = { from: last.from, to: last.to };
+  const changed = { ...bare, ...(atFrom ? { atFrom } : {}), ...(atTo ? { atTo } : {}) };
+  return { ...sketch, shafts: [...shafts.slice(0, -1), plainShaft(changed)] };
 }
 
 /** The last two shafts, the one that drives first, with the drive between them if there is one; null: fewer than two. */

@@ -17,7 +17,7 @@ const MEMBERS = {
   lines: ['from', 'to', 'exact', 'holeAxis'],
   joints: ['at', 'axis', 'between', 'kind', 'range'],
   keepOut: ['min', 'max'],
-  shafts: ['from', 'to'],
+  shafts: ['from', 'to', 'atFrom', 'atTo'],
   drives: ['from', 'to', 'ratio', 'tolerance'],
 } as const;
 /** Keys that only version 2 has. */

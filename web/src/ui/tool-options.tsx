@@ -4,6 +4,7 @@ import { CommandButton, Segmented } from './controls.tsx';
 import { DriveField } from './drive-field.tsx';
 import { useOverflowCue } from './overflow-cue.ts';
 import { usePage } from './page-context.ts';
+import { ShaftEndsField } from './shaft-ends-field.tsx';
 import { text } from './text.ts';
 
 const PLANES: readonly { value: PlaneMode; label: string; command: string }[] = [
@@ -46,6 +47,7 @@ export function ToolOptions() {
         <PlaneChoice />
         <SizeField />
         {tool.id === 'shaft' && <DriveField />}
+        {tool.id === 'shaft' && <ShaftEndsField />}
       </div>
     );
   }

@@ -2,7 +2,7 @@ import type { AxisName } from '../../geometry/vec.ts';
 import { sketchBounds } from '../../model/bounds.ts';
 import type { SketchDocument } from '../../model/sketch.ts';
 import { setExact, setGround, setHoleAxis } from '../../state/edits.ts';
-import { clearShafts } from '../../state/shaft-edits.ts';
+import { clearShafts, withEnds } from '../../state/shaft-edits.ts';
 import type { Command } from '../../ui/command.ts';
 import { text } from '../../ui/text.ts';
 import type { Actions } from '../actions.ts';
@@ -98,6 +98,26 @@ function spaceCommands(actions: Actions): Command[] {
       icon: 'joint',
       when: has('joints'),
       run: () => actions.edit(text.edits.joint, without(store.sketch.value, 'joints')),
+    },
+    {
+      ...row,
+      id: 'crankOnShaft',
+      label: text.commands.crankOnShaft,
+      icon: 'shaft',
+      when: has('shafts'),
+      run: () => actions.edit(text.edits.shaft, withEnds(store.sketch.value, { atFrom: 'crank' })),
+    },
+    {
+      ...row,
+      id: 'wheelsOnShaft',
+      label: text.commands.wheelsOnShaft,
+      icon: 'shaft',
+      when: has('shafts'),
+      run: () =>
+        actions.edit(
+          text.edits.shaft,
+          withEnds(store.sketch.value, { atFrom: 'wheel', atTo: 'wheel' }),
+        ),
     },
     {
       ...row,

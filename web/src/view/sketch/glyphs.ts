@@ -27,6 +27,7 @@ import type { SketchMarks } from '../view-types.ts';
 /** Modules. */
 const JOINT = { radius: 0.55, tube: 0.07, axisLength: 2.2, axisRadius: 0.05 } as const;
 const SHAFT_RADIUS = 0.16;
+const WHEEL_RADIUS = 2.335;
 const DRIVE_RADIUS = 0.06;
 const SYMMETRY_MARGIN = 2;
 const SHIFT_HEAD = 0.8;
@@ -108,12 +109,32 @@ export class SketchGlyphs {
     for (const [from, to] of ends) {
       this.#addRod(from, to, { radius: SHAFT_RADIUS, beyond: 0.5 }, material);
     }
+    for (const [i, { atFrom, atTo }] of shafts.entries()) {
+      const [from, to] = ends[i] ?? [];
+      if (from && to) {
+        this.#addShaftEnd(from, from.clone().sub(to).normalize(), atFrom, material);
+        this.#addShaftEnd(to, to.clone().sub(from).normalize(), atTo, material);
+      }
+    }
     const middles = ends.map(([from, to]) => from.clone().add(to).multiplyScalar(0.5));
     for (const drive of drives) {
       const [from, to] = [middles[drive.from], middles[drive.to]];
       if (from && to) {
         this.#addRod(from, to, { radius: DRIVE_RADIUS, beyond: 0 }, material);
       }
+    }
+  }
+
+  /** A disc for a wheel; for a crank an arm, and a handle that goes out. */
+  #addShaftEnd(end: Vector3, out: Vector3, what: Shaft['atTo'], material: Material): void {
+    if (what === 'wheel') {
+      this.#addRod(end, end.clone().add(out), { radius: WHEEL_RADIUS, beyond: -0.4 }, material);
+    }
+    if (what === 'crank') {
+      const aside = end.clone().add(new Vector3(out.y, out.z, out.x));
+      this.#addRod(end, aside, { radius: SHAFT_RADIUS, beyond: 0 }, material);
+      const handle = aside.clone().add(out);
+      this.#addRod(aside, handle, { radius: SHAFT_RADIUS, beyond: 0 }, material);
     }
   }
 

@@ -46,6 +46,8 @@ export const COMMANDS_DE: Words<typeof COMMANDS_EN> = {
     groundNone: 'Kein Boden',
     clearKeepOut: 'Alle Sperrräume entfernen',
     clearShafts: 'Alle Wellen und Zahnräder entfernen',
+    crankOnShaft: 'Kurbel auf die letzte Welle',
+    wheelsOnShaft: 'Räder auf die letzte Welle',
     clearJoints: 'Alle Gelenke entfernen',
     generate: 'Modell erzeugen',
     cancel: 'Abbrechen',

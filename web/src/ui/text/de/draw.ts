@@ -80,6 +80,11 @@ export const DRAW_DE: Words<typeof DRAW_EN> = {
       'Welle {count}, {n} Module lang. Sind es zwei, geben Sie ein Verhältnis ein und koppeln sie durch Zahnräder.',
     ratio: 'Verhältnis',
     couple: 'Die letzten beiden koppeln',
+    atFrom: 'An ihrem Anfang',
+    atTo: 'An ihrem Ende',
+    shaftBare: 'nichts',
+    crank: 'Kurbel',
+    wheel: 'Rad',
     follow: 'Linien, die mitgehen: {n}',
     becomes: {
       one: '{n}: Balken {holes}',

@@ -56,6 +56,7 @@ export const PART_NAMES_DE: Readonly<Record<string, string>> = {
   '3707': 'Achse 8',
   '3708': 'Achse 12',
   '3713': 'Buchse',
+  '3736': 'Riemenscheibe, 5 Module breit',
   '3737': 'Achse 10',
   '3749': 'Achspin ohne Reibung',
   '39793': 'Verbinderblock 3 × 3 mit 9 queren Löchern',

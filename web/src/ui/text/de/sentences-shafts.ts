@@ -71,6 +71,17 @@ export const SHAFTS_DE: Sentences = [
     'Dreht sich nicht: Mehr als ihre Lager hält eine der Wellen.',
   ],
   ['{joints}; {n} of {m} drives turn', '{joints}; {n} von {m} Antrieben drehen sich'],
+  [
+    'a line is in the way of what turns at its end',
+    'eine Linie ist dem im Weg, was sich an ihrem Ende dreht',
+  ],
+  [
+    'no axle is long enough for what turns at its ends',
+    'keine Achse ist lang genug für das, was sich an ihren Enden dreht',
+  ],
+  ['no crank sits at its end', 'an ihrem Ende sitzt keine Kurbel'],
+  ['no wheel sits at its end', 'an ihrem Ende sitzt kein Rad'],
+  ['expected "crank" or "wheel"', 'erwartet wird "crank" oder "wheel"'],
   ['no axle lies along it', 'in ihr liegt keine Achse'],
   ['its axle runs in fewer than two holes', 'ihre Achse läuft in weniger als zwei Löchern'],
   ['its axle can slide out', 'ihre Achse kann herausrutschen'],

@@ -45,6 +45,8 @@ export const COMMANDS_EN = {
     groundNone: 'No ground',
     clearKeepOut: 'Remove all keep-out boxes',
     clearShafts: 'Remove all shafts and gears',
+    crankOnShaft: 'Crank on the last shaft',
+    wheelsOnShaft: 'Wheels on the last shaft',
     clearJoints: 'Remove all joints',
     generate: 'Generate the model',
     cancel: 'Cancel',

@@ -76,6 +76,11 @@ export const DRAW_EN = {
     shaftDrawn: 'Shaft {count} of {n} modules. With two, type a ratio and couple them by gears.',
     ratio: 'Ratio',
     couple: 'Couple the last two',
+    atFrom: 'At its start',
+    atTo: 'At its end',
+    shaftBare: 'nothing',
+    crank: 'Crank',
+    wheel: 'Wheel',
     follow: 'lines that follow: {n}',
     becomes: {
       one: '{n}: beam {holes}',
