@@ -125,5 +125,16 @@ for (const width of [1280, 1190, 1000, 830]) {
     const undo = await page.getByRole('button', { name: /^Rückgängig/ }).boundingBox();
     expect((last?.x ?? 0) + (last?.width ?? 0)).toBeLessThanOrEqual(undo?.x ?? 0);
     expect((undo?.x ?? 0) + (undo?.width ?? 0)).toBeLessThanOrEqual(width);
+    const outside = () =>
+      page
+        .locator('.top-bar button')
+        .evaluateAll((all) =>
+          all.flatMap((button) =>
+            button.getBoundingClientRect().right > innerWidth ? [button.ariaLabel] : [],
+          ),
+        );
+    expect(await outside()).toEqual([]);
+    await goTo(page, 'Labor');
+    expect(await outside()).toEqual([]);
   });
 }
