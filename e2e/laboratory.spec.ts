@@ -173,6 +173,17 @@ test('the lightest truss under a deck is shown, and becomes the drawing', async 
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 } });
 
+  for (const tab of ['race', 'bricks', 'weights', 'contest']) {
+    test(`nothing of the part ${tab} is wider than the page, in German`, async ({ page }) => {
+      await page.goto(`./?lang=de&room=laboratory&lab=${tab}`);
+      await expect(page.getByRole('radio', { name: 'Wettbewerb' })).toBeAttached();
+      const wide = await page
+        .locator('.room-body')
+        .evaluate((body) => body.scrollWidth - body.clientWidth);
+      expect(wide).toBeLessThanOrEqual(0);
+    });
+  }
+
   test('nothing of the laboratory is wider than the page', async ({ page }) => {
     await openRace(page, 'grid-1~default.greedy~1~short~paper');
     await finishRace(page);
