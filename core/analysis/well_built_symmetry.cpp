@@ -29,6 +29,10 @@ bool isRotation(const Mat3& a) {
   return lattice::determinant(a) > 0.0;
 }
 
+bool isHalfTurn(const Mat3& a) {
+  return isRotation(a) && lattice::length(a * (a * Vec3{1, 2, 3}) - Vec3{1, 2, 3}) < kAlike;
+}
+
 //! What a beam is to the eye: where its holes are, and across which direction it is flat.
 struct Holes {
   int part = -1;
@@ -197,18 +201,29 @@ bool canBeObeyed(const sketch::Sketch& sketch, const PointIsometry& map) {
   });
 }
 
+//! Mirrors; where there are none, rotations. Lines that cross in each of the mirrors are no two
+//! beams on one layer: half-turns of such a drawing count beside them.
 std::vector<PointIsometry> judgedMaps(const sketch::Sketch& sketch) {
-  const std::vector<PointIsometry> all = sketch::pointSymmetries(sketch::arrange(sketch), -1);
-  for (const auto& wanted : {isMirror, isRotation}) {
+  const sketch::Arrangement arrangement = sketch::arrange(sketch);
+  const std::vector<PointIsometry> all = sketch::pointSymmetries(arrangement, -1);
+  const auto obeyed = [&](const auto& wanted) {
     std::vector<PointIsometry> kept;
     std::copy_if(all.begin(), all.end(), std::back_inserter(kept), [&](const PointIsometry& map) {
       return wanted(map.linear) && canBeObeyed(sketch, map);
     });
-    if (!kept.empty()) {
-      return kept;
-    }
+    return kept;
+  };
+  std::vector<PointIsometry> maps = obeyed(isMirror);
+  if (maps.empty()) {
+    return obeyed(isRotation);
   }
-  return {};
+  if (std::all_of(maps.begin(), maps.end(), [&](const PointIsometry& map) {
+        return sketch::crossesItself(arrangement, map);
+      })) {
+    const std::vector<PointIsometry> turns = obeyed(isHalfTurn);
+    maps.insert(maps.end(), turns.begin(), turns.end());
+  }
+  return maps;
 }
 
 }  // namespace

@@ -152,7 +152,12 @@ std::vector<sketch::Symmetry> wishedSymmetries(const sketch::Sketch& sketch) {
   if (others != mirrors.begin()) {
     mirrors.erase(others, mirrors.end());
   }
-  for (std::size_t i = 0; mirrors.empty() && i < found.rotations.size(); ++i) {
+  const sketch::Arrangement arrangement = sketch::arrange(sketch);
+  const bool cross =
+      std::all_of(mirrors.begin(), mirrors.end(), [&](const sketch::Symmetry& mirror) {
+        return sketch::crossesItself(arrangement, sketch::isometryOf(mirror));
+      });
+  for (std::size_t i = 0; cross && i < found.rotations.size(); ++i) {
     const sketch::RotationSymmetry& rotation = found.rotations[i];
     if (rotation.order % 2 == 0) {
       sketch::Symmetry turn;

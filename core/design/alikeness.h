@@ -10,8 +10,9 @@ namespace liftarm::design {
 
 //! \brief Symmetries of the whole drawing that a model keeps without being asked to (DESIGN 5b.5):
 //! mirrors across X and Y, what a builder sees as left and right, front and back; where there are
-//! none, any other mirror, and where there is none, turns by 180 degrees.
-//! \pre sketch was accepted by readSketch.
+//! none, any other mirror. Where there is none, or lines cross in each of them, turns by 180
+//! degrees as well: with mirrors they are kept one at a time only. \pre sketch was accepted by
+//! readSketch.
 std::vector<sketch::Symmetry> wishedSymmetries(const sketch::Sketch& sketch);
 
 //! \brief The share of a layout's beams whose image under a symmetry is there, 0 to 1: the largest

@@ -1,5 +1,3 @@
-#include "design/attempt.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,45 +5,31 @@
 #include <utility>
 
 #include "design/alikeness.h"
-#include "design/covers_in_use.h"
-#include "design/keep_blame.h"
+#include "design/attempt_search.h"
 #include "design/looseness.h"
 #include "layout/stack.h"
-#include "objective/mobility.h"
 #include "objective/objective.h"
 #include "rivals/rivals.h"
 #include "search/annealer.h"
-#include "search/cover_bound.h"
 #include "search/paper_search.h"
-#include "sketch/arrangement.h"
 
 namespace liftarm::design {
 
 namespace {
 
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
-constexpr double kManyBeams = 1.3;          // of the fewest: then a layout without mirrors is tried
-constexpr double kWorthOfSymmetry = 0.25;   // of the objective, of a whole model ...
-constexpr double kWorthOfAlikeness = 0.15;  // ... and of a part of it
-constexpr double kWorthOfFreedom = 20.0;    // two beams, where something moves all the same
+constexpr double kWorthOfSymmetry = 0.25;    // of the objective, of a whole model ...
+constexpr double kWorthOfAlikeness = 0.15;   // ... and of a part of it
+constexpr double kWorthOfFreedom = 20.0;     // two beams, where something moves all the same
 constexpr double kAlike = 1.0 - 1e-9;
 constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen: more find nothing
 constexpr std::uint32_t kFreeingRounds = 9;
 // Moves times junctions of all searches, after which nothing is compared with what is whole.
 constexpr double kMostWork = 4e6;
-constexpr std::size_t kMostRunsToCompare = 120;  // larger sketches would wait too long
-constexpr double kUsualLines = 300.0;            // of a sketch; larger ones may take longer ...
-constexpr double kUsualLength = 3000.0;          // ... and longer ones: modules
+constexpr double kUsualLines = 300.0;      // of a sketch; larger ones may take longer ...
+constexpr double kUsualLength = 3000.0;    // ... and longer ones: modules
 constexpr double kShareOfOneWish = 0.5;    // of the work that is left, before a wish is given up
-constexpr std::size_t kFewestCrowded = 3;  // lines: two can be joined, or their angle is at fault
-constexpr std::size_t kMostCrowded = 16;   // lines that are looked at alone
-constexpr std::size_t kMostLooks = 4;      // at places alone
-constexpr double kRegion = 2.0;            // modules, where no node alone is at fault
-constexpr std::uint32_t kMoreSeeds = 3;    // where nothing else is known to help
-constexpr std::size_t kMostRunsForMore = 40;
-constexpr std::uint32_t kBetterSeeds = 3;     // where what was found is not what a builder builds
-constexpr double kWorkOfBetterSeeds = 1.5e9;  // of all searches before, in nanoseconds about
-constexpr double kWorkToCompare = 4e8;        // the same: nobody notices the other plans until then
+constexpr std::uint32_t kRoundsOfFew = 4;  // that stiffen, before other hole axes are tried
 constexpr std::uint64_t kSeedStep = 0x9E3779B97F4A7C15U;  // far from the seeds that a person tries
 
 mechanisms::MechanismTable makeTable(const Settings& settings) {
@@ -91,26 +75,6 @@ bool isLarge(const layout::LayoutProblem& problem, const search::AnnealingOption
 
 }  // namespace
 
-//! One search with all that it looks at.
-struct Attempts::Attempt {
-  Attempt(const sketch::Sketch& wanted,
-          const Settings& settings,
-          const mechanisms::MechanismTable& table)
-      : solver(table, settings.connection),
-        problem(problemOf(wanted, settings)),
-        mobility(problem, table) {}
-
-  Wishes wishes;
-  double value = 0.0;  // of its best layout, with what being symmetric is worth taken off
-  bool alike = false;  // whether that layout is symmetric
-  int faults = 0;      // of how its model stands, where it is to stand
-  int freedoms = 0;    // of that layout, also where the search ended before it asked
-  layout::ConnectionSolver solver;
-  layout::LayoutProblem problem;
-  objective::Mobility mobility;
-  std::unique_ptr<search::LayoutSearch> search;
-};
-
 layout::LayoutProblem problemOf(const sketch::Sketch& sketch, const Settings& settings) {
   guide::GuidingGraph graph = guide::buildGuidingGraph(sketch, bridgingOf(settings));
   layout::turnToKeeps(sketch, settings.keeps, &graph);
@@ -155,6 +119,14 @@ void Attempts::begin(Wishes wishes, bool last) {
       options.minIterations = std::min(options.minIterations, kShortRound);
     }
   }
+  if (wishes.few) {
+    options.weights = objective::searchWeights(objective::Preset::kSimpleRigid);
+    options.stiffening.otherStarts = true;
+    options.stiffening.roundsPerStart = kRoundsOfFew;
+  }
+  if (wishes.settled) {
+    options.from = &best_->search->best();
+  }
   options.held = makeHeld(attempt.problem, table_);
   if (objective::isRigid(settings_->preset)) {
     objective::Mobility* mobility = &attempt.mobility;
@@ -162,6 +134,7 @@ void Attempts::begin(Wishes wishes, bool last) {
       return mobility->count(layout.covers, layout.junctions);
     };
     options.looseRuns = [mobility] { return mobility->looseRuns(); };
+    options.bodies = [mobility] { return mobility->bodies(); };
   }
   options.buildable = makeBuildable(attempt.problem, table_, *sketch_);
   // Where another search would take too long, this one gives up in itself what keeps it loose.
@@ -192,81 +165,6 @@ double Attempts::workLeft() const {
   return std::max(0.0, share * settings_->annealing.mostWork - workBefore_);
 }
 
-void Attempts::lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest) {
-  for (const lattice::Vec3 at : places) {
-    const bool known = std::any_of(looked_.begin(), looked_.end(), [&](const auto& looked) {
-      return looked.first == radius && lattice::length(looked.second - at) < sketch::kSamePoint;
-    });
-    const std::size_t lines = linesNear(*sketch_, at, radius).size();
-    if (crowded_ || looked_.size() >= kMostLooks || known || lines < fewest ||
-        lines > kMostCrowded) {
-      continue;
-    }
-    crowded_ = findCrowded(*sketch_, at, radius, *settings_, table_);
-    looked_.emplace_back(radius, at);
-    wholeAlone_ = wholeAlone_ || (!crowded_ && lines == sketch_->lines.size());
-  }
-}
-
-//! Why the search that has ended is not whole: what the sketch keeps, once it is all that is left
-//! to ask of it, or the lines at a place.
-void Attempts::findReason() {
-  if (!settings_->keeps.empty()) {
-    if (!plans_.empty() || moreSeeds_ > 0 || settings_->annealing.maxRounds < kRoundsOfBlame) {
-      return;
-    }
-    const search::LayoutSnapshot& failed = current_->search->best();
-    blamed_ = findBlame(*sketch_, current_->problem, failed, *settings_, table_);
-  }
-  if (!blamed_) {
-    findCrowdedPlace();
-  }
-}
-
-//! Looks at the worst nodes of a layout that is not whole, each alone, then at what is near them.
-void Attempts::findCrowdedPlace() {
-  const search::LayoutSnapshot& best = current_->search->best();
-  const guide::GuidingGraph& graph = current_->problem.graph;
-  std::vector<lattice::Vec3> places = violatedPlaces(graph, best);
-  std::optional<std::size_t> busiest;
-  for (std::size_t j = 0; j < best.junctions.size(); ++j) {
-    const auto runsAt = [&](std::size_t i) { return graph.junctions[i].incident.size(); };
-    busiest = !busiest || runsAt(j) > runsAt(*busiest) ? j : *busiest;
-  }
-  lookAt(places, 0.0, kFewestCrowded);
-  if (!crowded_ && busiest) {
-    // Beams may collide beside a node that is joined all right.
-    places.push_back(graph.nodes[static_cast<std::size_t>(graph.junctions[*busiest].node)]);
-    lookAt(places, kRegion, kFewestCrowded);
-  }
-}
-
-//! Where every plan failed and no place is known to be at fault, or a look has found a layout of
-//! all lines, other seeds and short rounds may find what is there.
-void Attempts::planMoreSeeds() {
-  if ((plans_.empty() || wholeAlone_) && !blamed_ && best_ == nullptr && moreSeeds_ < kMoreSeeds &&
-      !isPaperFamily(settings_->method) &&
-      current_->problem.graph.runs.size() <= kMostRunsForMore) {
-    plans_.emplace_back();
-    plans_.back().more = ++moreSeeds_;
-    plans_.back().again = std::exchange(wholeAlone_, false);
-  }
-}
-
-//! A layout that was found without the wish to stand, and does not or is loose, is compared with
-//! one that has it, then with other seeds while they find something better and nobody waits for it.
-void Attempts::planBetterSeed() {
-  const bool differs =
-      betterSeeds_ > 0 || (best_ != nullptr && best_->wishes.standing != settings_->standing);
-  if (plans_.empty() && best_ != nullptr && differs && (best_->faults > 0 || best_->freedoms > 0) &&
-      betterSeeds_ < kBetterSeeds && workBefore_ < kWorkOfBetterSeeds &&
-      settings_->annealing.earlier.empty()) {
-    plans_.push_back(best_->wishes);
-    plans_.back().standing = settings_->standing;
-    plans_.back().more = ++betterSeeds_;
-  }
-}
-
 //! What a layout that has ended is worth beside others. Its own energy has freedoms at what they
 //! cost in the round that found it.
 void Attempts::judge(Attempt* attempt) const {
@@ -286,26 +184,11 @@ void Attempts::judge(Attempt* attempt) const {
   objective::Measures measures;
   measures.tallies = layout.tallies;
   measures.scale = objective::scaleOf(attempt->problem.graph);
-  attempt->value = (1.0 - worth) * objective::value(measures, settings_->annealing.weights) +
+  // An axle stands for a line as a beam does; whether it may was for its own search to say.
+  const objective::Weights& weights = settings_->annealing.weights;
+  const double axles = weights[*objective::termIndex("beams")] * layout.tallies.axles;
+  attempt->value = (1.0 - worth) * (objective::value(measures, weights) + axles) +
                    kWorthOfFreedom * attempt->freedoms;
-}
-
-//! Whether a layout need not be compared with others.
-bool Attempts::isGoodEnough(const Attempt& attempt) const {
-  const search::LayoutSnapshot& layout = attempt.search->best();
-  if (!isWhole(layout) || attempt.faults > 0 || (!plans_.empty() && workBefore_ < kWorkToCompare)) {
-    return false;
-  }
-  if (attempt.problem.graph.runs.size() > kMostRunsToCompare) {
-    return true;
-  }
-  if (symmetries_.empty()) {
-    return attempt.freedoms == 0;
-  }
-  const int bound = search::coverLowerBound(coversInUse(attempt.problem, *settings_));
-  return attempt.freedoms == 0 && (attempt.alike || attempt.wishes.mostly) &&
-         static_cast<double>(layout.tallies.beams + layout.tallies.axles) <=
-             kManyBeams * static_cast<double>(bound);
 }
 
 bool Attempts::advance(std::uint32_t iterations) {
@@ -344,8 +227,11 @@ void Attempts::goOn() {
                       static_cast<double>(problem().graph.junctions.size());
   planMoreSeeds();
   planBetterSeed();
-  done_ = plans_.empty() || crowded_.has_value() || workLeft() <= 0.0 ||
-          (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork));
+  if (best_ != nullptr && (isGoodEnough(*best_) || work > kMostWork)) {
+    plans_.clear();
+  }
+  planOtherPrices();
+  done_ = plans_.empty() || crowded_.has_value() || workLeft() <= 0.0;
   if (done_) {
     return;
   }
@@ -353,14 +239,6 @@ void Attempts::goOn() {
   const Wishes next = plans_.back();
   plans_.pop_back();
   begin(next, plans_.empty());
-}
-
-//! What stands is not compared with what need not; where nothing is loose, nothing is to be freed.
-void Attempts::dropNeedlessPlans() {
-  std::erase_if(plans_, [&](Wishes plan) { return plan.standing < best_->wishes.standing; });
-  if (best_->wishes.symmetric && best_->freedoms == 0) {
-    std::erase_if(plans_, [](Wishes plan) { return plan.mostly; });
-  }
 }
 
 bool Attempts::done() const {

@@ -83,6 +83,7 @@ class Attempts {
   void lookAt(const std::vector<lattice::Vec3>& places, double radius, std::size_t fewest);
   void planMoreSeeds();
   void planBetterSeed();
+  void planOtherPrices();
   [[nodiscard]] double workLeft() const;
   void judge(Attempt* attempt) const;
   [[nodiscard]] const Attempt& shown() const;
@@ -101,6 +102,7 @@ class Attempts {
   std::vector<std::pair<double, lattice::Vec3>> looked_;  // radius and place of every look
   std::uint32_t moreSeeds_ = 0;                           // searches beyond the plans
   std::uint32_t betterSeeds_ = 0;                         // where the best one is not well built
+  int otherPrices_ = 0;                                   // searches with other prices
   bool wholeAlone_ = false;                               // a look found a layout of all lines
   std::uint64_t iterationsBefore_ = 0;
   double workBefore_ = 0.0;  // of searches that ended

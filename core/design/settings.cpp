@@ -233,6 +233,7 @@ void applyPreset(Settings* settings) {
   settings->corners = true;
   settings->standing = true;
   settings->symmetric = true;
+  settings->otherPrices = true;
 }
 
 base::Result<bool> applyTop(Settings* settings, const json& root) {

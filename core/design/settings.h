@@ -38,10 +38,11 @@ struct Settings {
   std::vector<std::string> connectors{
       "2780", "6558", "87082", "48989", "55615", "15462", "3713", "18654"};
   layout::ConnectionCosts connection;
-  bool standing = false;   //!< nothing lies below the lowest drawn plane, where that can be
-  bool corners = false;    //!< connectors may stand for the ends of beams at any corner
-  bool symmetric = false;  //!< mirrors of the whole drawing are kept without being asked for
-  int mechanismParts = 2;  //!< most connecting parts in one mechanism
+  bool standing = false;     //!< nothing lies below the lowest drawn plane, where that can be
+  bool corners = false;      //!< connectors may stand for the ends of beams at any corner
+  bool symmetric = false;    //!< mirrors of the whole drawing are kept without being asked for
+  bool otherPrices = false;  //!< whether searches with other prices are compared
+  int mechanismParts = 2;    //!< most connecting parts in one mechanism
   //! How many of a part are owned, by LDraw number; others are not limited. What the search can do
   //! about it is in annealing.supply, lengths and connectors already.
   std::map<std::string, int> owned;

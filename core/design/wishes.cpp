@@ -27,6 +27,10 @@ sketch::Sketch withWishes(const sketch::Sketch& sketch, Wishes wishes) {
     wanted.symmetries = wishedSymmetries(sketch);
     if (wishes.only >= 0) {
       wanted.symmetries = {wanted.symmetries[static_cast<std::size_t>(wishes.only)]};
+    } else if (wanted.symmetries.front().kind == sketch::Symmetry::Kind::kReflection) {
+      std::erase_if(wanted.symmetries, [](const sketch::Symmetry& symmetry) {
+        return symmetry.kind != sketch::Symmetry::Kind::kReflection;
+      });
     }
   }
   return wanted;

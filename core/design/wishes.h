@@ -16,6 +16,8 @@ struct Wishes {
   int only = -1;           //!< the one of these that is kept; negative: all
   bool mostly = false;     //!< what stays loose as it is need not be symmetric
   std::uint32_t more = 0;  //!< not 0: of the searches beyond the plans: another seed
+  bool few = false;        //!< searched with beams at their price and layers nearly for nothing
+  bool settled = false;    //!< goes on from the best layout of all with prices as they are
   bool again = false;      //!< of these: the one that found a layout when it looked at all lines
 };
 

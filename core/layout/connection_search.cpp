@@ -29,8 +29,9 @@ constexpr std::uint8_t kStranger = 4;
 constexpr std::uint8_t kTerminal = 8;
 
 bool nearCentre(Cell c, int radius) {
-  return c.x * c.x + c.y * c.y + c.z * c.z <= kReachSquared && c.x >= -radius && c.x <= radius &&
-         c.y >= -radius && c.y <= radius && c.z >= -radius && c.z <= radius;
+  return (radius > kFarRadius || c.x * c.x + c.y * c.y + c.z * c.z <= kReachSquared) &&
+         c.x >= -radius && c.x <= radius && c.y >= -radius && c.y <= radius && c.z >= -radius &&
+         c.z <= radius;
 }
 
 std::array<std::int8_t, 3> packed(Cell c) {
@@ -88,6 +89,18 @@ Connection ConnectionSearch::run(const LocalProblem& problem) {
   return answer;
 }
 
+std::vector<FurtherJoin> ConnectionSearch::joins(const LocalProblem& problem, std::size_t most) {
+  enter(problem);
+  collect(kBoxRadius, most);
+  leave();
+  std::vector<FurtherJoin> joins;
+  joins.reserve(candidates_.size());
+  for (const Candidate& candidate : candidates_) {
+    joins.push_back({candidate.placed, candidate.cost});
+  }
+  return joins;
+}
+
 void ConnectionSearch::enter(const LocalProblem& problem) {
   problem_ = &problem;
   for (const int cell : problem.cells()) {
@@ -103,7 +116,7 @@ void ConnectionSearch::leave() {
 }
 
 Connection ConnectionSearch::within(int radius) {
-  collect(radius);
+  collect(radius, kMaxCandidates);
   toClusters();
   std::uint32_t clusters = 0;
   for (int t = 0; t < problem_->terminals; ++t) {
@@ -238,7 +251,7 @@ void ConnectionSearch::findHoles(int radius) {
   }
 }
 
-void ConnectionSearch::collect(int radius) {
+void ConnectionSearch::collect(int radius, std::size_t most) {
   findHoles(radius);
   candidates_.clear();
   for (const LocalHole* a : holes_) {
@@ -254,11 +267,11 @@ void ConnectionSearch::collect(int radius) {
       }
     }
   }
-  sortCandidates();
+  sortCandidates(most);
 }
 
 //! The cheapest for each join first, each once, and not too many.
-void ConnectionSearch::sortCandidates() {
+void ConnectionSearch::sortCandidates(std::size_t most) {
   for (Candidate& candidate : candidates_) {
     candidate.value = candidate.cost / static_cast<double>(std::popcount(candidate.terminals) - 1);
   }
@@ -276,8 +289,8 @@ void ConnectionSearch::sortCandidates() {
                                          a.placed.at == b.placed.at;
                                 }),
                     candidates_.end());
-  if (candidates_.size() > kMaxCandidates) {
-    candidates_.resize(kMaxCandidates);
+  if (candidates_.size() > most) {
+    candidates_.resize(most);
   }
 }
 

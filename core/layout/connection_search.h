@@ -19,6 +19,10 @@ class ConnectionSearch {
   //! within reach when those do not suffice.
   Connection run(const LocalProblem& problem);
 
+  //! \brief All mechanisms that fit between beams of different clusters, the cheapest for each join
+  //! first; no more than `most`.
+  std::vector<FurtherJoin> joins(const LocalProblem& problem, std::size_t most);
+
   //! \brief Mechanisms that were held against a place or against each other, in all runs.
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
@@ -53,11 +57,11 @@ class ConnectionSearch {
   void enter(const LocalProblem& problem);
   void leave();
   Connection within(int radius);
-  void collect(int radius);
+  void collect(int radius, std::size_t most);
   void findHoles(int radius);
   void tryPlace(std::int32_t id, int head, lattice::Cell hole);
   [[nodiscard]] bool comesOut(const PackedShape& shape, lattice::Cell place) const;
-  void sortCandidates();
+  void sortCandidates(std::size_t most);
   void toClusters();
   [[nodiscard]] bool respectsJoint(const mechanisms::OrientedMechanism& m,
                                    lattice::Cell at,

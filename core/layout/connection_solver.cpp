@@ -19,6 +19,10 @@ std::uint64_t ConnectionSolver::work() const {
   return search_->work();
 }
 
+std::vector<FurtherJoin> ConnectionSolver::joins(const LocalProblem& problem, std::size_t most) {
+  return search_->joins(problem, most);
+}
+
 const Connection& ConnectionSolver::solve(const LocalProblem& problem) {
   const std::uint64_t key = problem.hash();
   const auto found = known_.find(key);

@@ -18,6 +18,12 @@ struct PlacedMechanism {
   lattice::Cell at;
 };
 
+//! \brief A mechanism that could join beams besides what joins them already.
+struct FurtherJoin {
+  PlacedMechanism placed;
+  double cost = 0.0;  //!< in parts, as Connection::cost
+};
+
 //! \brief What a junction's mechanisms cost besides their parts, in parts.
 struct ConnectionCosts {
   double dangling = 0.3;    //!< a head that holds nothing
@@ -101,6 +107,10 @@ class ConnectionSolver {
   ConnectionSolver& operator=(const ConnectionSolver&) = delete;
 
   const Connection& solve(const LocalProblem& problem);
+
+  //! \brief Single mechanisms that join beams of different clusters, the cheapest for each join
+  //! first; no more than `most`.
+  std::vector<FurtherJoin> joins(const LocalProblem& problem, std::size_t most);
 
   [[nodiscard]] const mechanisms::MechanismTable& table() const { return *table_; }
 

@@ -163,6 +163,17 @@ class Layout {
   //! \brief Beams of incident runs that a junction's mechanisms must join, by (run, beam index).
   [[nodiscard]] std::vector<std::pair<int, int>> terminalsAt(int junction) const;
 
+  //! \brief Mechanisms that fit at a junction besides those that are there, and join beams of
+  //! different bodies within its reach, whichever runs they are on. None at a joint.
+  //! \param bodies By run, by beam. \param most The cheapest for each join, no more than these.
+  std::vector<FurtherJoin> furtherJoins(int junction,
+                                        const std::vector<std::vector<int>>& bodies,
+                                        std::size_t most);
+
+  //! \brief Adds a mechanism to what joins the beams at a junction. \pre All is settled and kept.
+  //! Whatever solves the junction again takes it off.
+  void addMechanism(int junction, const FurtherJoin& join);
+
   //! \brief What an axle on a run would have to do with, whatever covers the run now.
   //! \pre The run is principal.
   [[nodiscard]] AxleSite axleSite(int run) const;
@@ -184,7 +195,9 @@ class Layout {
                  const InlinePins& before,
                  const InlinePins& after);
   bool fillOthers(int junction);
+  void fillOwn(int junction);
   void fillSpacersOf(const JunctionView& other);
+  void addAllTerminals(int junction);
   void addAxle(const Axle& axle, int sign);
   void limitToGroup(int junction);
   void fillAxles(int junction);
@@ -228,6 +241,7 @@ class Layout {
   bool across_ = true;
   std::vector<std::pair<int, int>> localTerminals_;  // an axle's beam index is -1
   int localLoose_ = 0;
+  bool allTerminals_ = false;  // beams of any run may be terminals
 };
 
 }  // namespace liftarm::layout

@@ -120,7 +120,9 @@ void Layout::fillRun(const RunView& view) {
     }
     const PinnedNodes pinned(run, cover, b);
     int terminal = -1;
-    for (std::size_t t = 0; t < localTerminals_.size() && view.incidentIndex >= 0; ++t) {
+    for (std::size_t t = 0;
+         t < localTerminals_.size() && (allTerminals_ || view.incidentIndex >= 0);
+         ++t) {
       if (localTerminals_[t] == std::pair<int, int>{view.run, static_cast<int>(b)}) {
         terminal = static_cast<int>(t);
       }
@@ -183,6 +185,17 @@ bool Layout::fillOthers(int junction) {
     }
   }
   return leans;
+}
+
+//! Enters what joins the beams of the junction itself already.
+void Layout::fillOwn(int junction) {
+  JunctionView self;
+  self.junction = junction;
+  self.aligned = true;
+  fillSpacersOf(self);
+  for (const PlacedMechanism& placed : junctions_[at(junction)].connection.mechanisms) {
+    enterMechanism(&local_, table().oriented(placed.oriented), placed, self);
+  }
 }
 
 //! A neighbouring junction's spacers; beams in their cells are that junction's trouble.

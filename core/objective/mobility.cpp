@@ -252,6 +252,16 @@ int Mobility::count(const std::vector<layout::Cover>& covers,
   return graph_.mobility();
 }
 
+std::vector<std::vector<int>> Mobility::bodies() const {
+  std::vector<std::vector<int>> roots = bodiesOf_;
+  for (std::vector<int>& bodies : roots) {
+    for (int& body : bodies) {
+      body = graph_.rootOf(body);
+    }
+  }
+  return roots;
+}
+
 std::vector<int> Mobility::looseRuns() const {
   std::vector<int> loose;
   std::vector<int> holesOf(at(graph_.bodies()), 0);

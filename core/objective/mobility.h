@@ -24,6 +24,9 @@ class Mobility {
   int count(const std::vector<layout::Cover>& covers,
             const std::vector<layout::JunctionState>& junctions);
 
+  //! \brief After count(): which rigid body each beam is of, by run, by beam.
+  [[nodiscard]] std::vector<std::vector<int>> bodies() const;
+
   //! \brief After count(): runs with a beam that may move against the largest rigid body.
   [[nodiscard]] std::vector<int> looseRuns() const;
 

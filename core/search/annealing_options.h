@@ -96,12 +96,17 @@ struct AnnealingOptions {
   //! was touched is searched. Where that does not end whole, or takes many more beams, the search
   //! is as without it. Not used with symmetries or `freedoms`.
   EarlierLayout earlier;
+  //! A layout to go on from, in place of the first one; null: none. Of the same problem.
+  const LayoutSnapshot* from = nullptr;
   //! How many ways a whole layout can move that it should not; empty: nobody minds. It is dear to
   //! ask, so only further rounds at the end do, from the best layout without it.
   std::function<int(const LayoutSnapshot&)> freedoms;
   StiffeningOptions stiffening;
   //! Runs that can move so in the layout that `freedoms` was asked of last: moves begin there.
   std::function<std::vector<int>()> looseRuns;
+  //! The rigid body that each beam is of, by run, by beam, in the layout that `freedoms` was asked
+  //! of last.
+  std::function<std::vector<std::vector<int>>()> bodies;
   //! Whether a layout is buildable in earnest; empty: each is that has no violations. Dear as well:
   //! the rounds that ask for freedoms keep no layout as their best before asking this, and a search
   //! that ends with frames asks it once: their holes on two axes can lock parts together.

@@ -145,6 +145,7 @@ class FamilyFinder {
       gain += costs_.beam * static_cast<double>(layout::partsOfBeam(beams[b].holes)) +
               costs_.hole * static_cast<double>(beams[b].holes) + static_cast<double>(pins);
     }
+    gain += costs_.loose;
     int least = 2;  // the axle, with a stop, and a bush
     for (std::size_t j = 0; j < guideRun.junctions.size(); ++j) {
       const layout::JunctionState& state = layout_.junction(guideRun.junctions[j]);

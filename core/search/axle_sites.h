@@ -23,6 +23,7 @@ struct AxleCosts {
   double beam = 10.0;
   double hole = 0.05;
   double hinge = 3.0;
+  double loose = 0.0;  //!< all that moves and should not: an axle may do away with it
 };
 
 //! \brief Runs to be tried with axles all at once: parallel ones that go through the same beams.

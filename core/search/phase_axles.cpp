@@ -6,6 +6,7 @@
 
 #include "base/index.h"
 #include "layout/axle_collisions.h"
+#include "search/phase_holds.h"
 #include "search/tuning.h"
 
 namespace liftarm::search {
@@ -24,29 +25,44 @@ Next AxleTrials::begin() {
   const LayoutSnapshot& best = state().best();
   const bool whole = best.tallies.violations() == 0 && !best.covers.empty();
   if (!whole || state().covering().axles().runs().empty()) {
-    return EndOfSearch{};
+    return goTo<FurtherHolds>();
   }
   state().setFreedoms(0);
   state().setFreedomCost(0.0);
   state().forgetGrudges();
   state().restore(best);
   const CoverCosts& costs = state().covering().costs();
-  trials_ = findAxleFamilies(state().layout(), freeRuns(), {costs.beam, costs.hole, costs.hinge});
+  if (state().options().freedoms) {
+    freedomsBefore_ = state().options().freedoms(best);
+  }
+  trials_ = findAxleFamilies(
+      state().layout(), freeRuns(), {costs.beam, costs.hole, costs.hinge, worthOfFreedoms()});
   const auto moves = static_cast<double>(state().clock().moves());
   movesLeft_ = static_cast<std::uint64_t>(kTuning.axles.mostShare * moves);
   checksLeft_ = kTuning.axles.mostChecks;
   return nextTrial();
 }
 
-//! The runs that no symmetry binds, nor anything that they meet.
+//! The runs that an axle may be tried on without a thought for symmetries: those that none binds,
+//! nor anything that they meet; and those that are their own images and whose neighbours need not
+//! turn for it, such as the ridge of a roof.
 std::vector<int> AxleTrials::freeRuns() const {
   const OrbitCovers& orbits = state().covering().orbits();
+  const auto isAlone = [&](int run) {
+    const std::vector<guide::RunImage>& images = orbits.orbits().images(run);
+    return std::all_of(images.begin(), images.end(), [run](const guide::RunImage& image) {
+      return image.run == run;
+    });
+  };
   const std::vector<int>& all = state().covering().axles().runs();
   std::vector<int> runs;
   std::copy_if(all.begin(), all.end(), std::back_inserter(runs), [&](int run) {
+    const lattice::Axis axis = layout::alongAxisOf(state().graph().runs[at(run)]).axis;
     const std::vector<int> met = runsMet(state().graph(), run);
-    return !orbits.binds(run) &&
-           std::none_of(met.begin(), met.end(), [&](int other) { return orbits.binds(other); });
+    return (!orbits.binds(run) || isAlone(run)) &&
+           std::none_of(met.begin(), met.end(), [&](int other) {
+             return orbits.binds(other) && state().coverOf(other).axis != axis;
+           });
   });
   return runs;
 }
@@ -58,7 +74,7 @@ Next AxleTrials::nextTrial() {
     }
     state().layout().revert();
   }
-  return EndOfSearch{};
+  return goTo<FurtherHolds>();
 }
 
 //! Lays axles on all runs of a family, and what goes with them. \return False when that cannot be.
@@ -92,6 +108,9 @@ bool AxleTrials::clear(const AxleFamily& family, lattice::Axis axis) {
   touched_ = {family.runs.begin(), family.runs.end()};
   turned_.clear();
   for (const int run : family.runs) {
+    if (state().covering().orbits().binds(run)) {
+      state().covering().orbits().release(run);
+    }
     if (state().coverOf(run).axle.used() || state().problem().keepOf(run) != nullptr) {
       return false;
     }
@@ -131,9 +150,9 @@ void AxleTrials::keep() {
   const LayoutSnapshot& best = state().best();
   const layout::Tallies& before = best.tallies;
   const double plain = state().judge().soft(now);
-  const double least = bestTrial_.covers.empty()
-                           ? state().judge().soft(before) - kTuning.axles.leastSaving
-                           : bestTrial_.energy;
+  const double least = bestTrial_.covers.empty() ? state().judge().soft(before) -
+                                                       kTuning.axles.leastSaving + worthOfFreedoms()
+                                                 : bestTrial_.energy;
   if (now.violations() > 0 || state().missing() > best.missing || now.axles <= before.axles ||
       now.beams > before.beams || partsOf(now) > partsOf(before) || plain >= least) {
     return;
@@ -143,13 +162,20 @@ void AxleTrials::keep() {
   bestTrial_.missing = state().missing();
 }
 
+//! What an axle may save besides where something moves: it is no beam that could turn.
+double AxleTrials::worthOfFreedoms() const {
+  return kTuning.holds.worth * freedomsBefore_;
+}
+
 //! Whether the model of a trial is as stiff as the best one and can be built.
 bool AxleTrials::isSound(LayoutSnapshot* trial) {
   const AnnealingOptions& options = state().options();
   const LayoutSnapshot& best = state().best();
   if (options.freedoms) {
     trial->freedoms = options.freedoms(*trial);
-    if (trial->freedoms > best.freedoms) {
+    const double worth = kTuning.holds.worth * (freedomsBefore_ - trial->freedoms);
+    if (trial->freedoms > freedomsBefore_ ||
+        trial->energy > state().judge().soft(best.tallies) - kTuning.axles.leastSaving + worth) {
       return false;
     }
   }
@@ -168,6 +194,7 @@ Next AxleTrials::endRound() {
   if (!bestTrial_.covers.empty() && isSound(&bestTrial_)) {
     const double saved = state().judge().soft(state().best().tallies) - bestTrial_.energy;
     bestTrial_.energy = state().best().energy - saved;
+    freedomsBefore_ = bestTrial_.freedoms;
     state().setBest(std::move(bestTrial_));
     // From here on this is what others are compared with.
     heldBefore_.reset();

@@ -33,6 +33,7 @@ class AxleTrials final : public Phase {
   bool clear(const AxleFamily& family, lattice::Axis axis);
   bool layAll(const AxleFamily& family, lattice::Axis axis);
   void keep();
+  [[nodiscard]] double worthOfFreedoms() const;
   [[nodiscard]] bool isSound(LayoutSnapshot* trial);
 
   std::vector<AxleFamily> trials_;
@@ -40,6 +41,7 @@ class AxleTrials final : public Phase {
   std::uint64_t movesLeft_ = 0;  // of all trials
   std::uint64_t moves_ = 0;      // of this one
   int checksLeft_ = 0;
+  int freedomsBefore_ = 0;         // of the best layout, where somebody minds
   std::optional<int> heldBefore_;  // what friction does not hold, in the best layout
   LayoutSnapshot bestTrial_;
   std::vector<int> focus_;   // runs that the trial touched

@@ -7,6 +7,7 @@
 #include "guide/beam_bound.h"
 #include "search/phase_axles.h"
 #include "search/phase_first_layout.h"
+#include "search/phase_stiffen.h"
 #include "search/tuning.h"
 
 namespace liftarm::search {
@@ -15,6 +16,13 @@ using base::at;
 
 Next FromEarlier::begin() {
   const AnnealingOptions& options = state().options();
+  if (options.from != nullptr) {
+    state().restore(*options.from);
+    state().accept();
+    state().keepBest();
+    return RoundPlan{roundLength(options, kTuning.rounds.firstShare, state().graph().runs.size()),
+                     std::min(kTuning.rounds.earlierTemperature, options.startTemperature)};
+  }
   // Orbits and stiffening move runs all over the sketch: what is asked of those is asked afresh.
   if (options.earlier.empty() || state().covering().orbits().active()) {
     return goTo<FirstLayout>();
@@ -107,6 +115,9 @@ bool FromEarlier::keepsUp() const {
 }
 
 Next FromEarlier::endRound() {
+  if (state().options().from != nullptr) {
+    return state().options().freedoms ? goTo<Stiffening>() : goTo<AxleTrials>();
+  }
   if (!keepsUp() || state().withdrawFrames()) {
     return StartOver{};
   }

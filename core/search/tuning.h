@@ -100,6 +100,15 @@ struct AxleTuning {
   double leastGain = 1.0;   //!< energy that a family must promise to be tried
 };
 
+//! \brief Mechanisms added at the end where something moves.
+struct HoldTuning {
+  double worth = 20.0;         //!< of a freedom less, in connecting parts: two beams
+  std::size_t mostEach = 400;  //!< that are looked at for one junction
+  std::size_t enough = 60;     //!< that help: no more are looked for before some are added
+  double mostWork = 1e6;       //!< counts of freedoms, times parts: about microseconds
+  int mostChecks = 6;          //!< of all that makes a model buildable: they are dear
+};
+
 //! \brief Exact covers of one run.
 struct CoverTuning {
   int mostOverlap = 3;             //!< nodes that two beams in line share: no pin holds more
@@ -126,6 +135,7 @@ struct Tuning {
   MoveTuning moves;
   StiffeningTuning stiffening;
   AxleTuning axles;
+  HoldTuning holds;
   CoverTuning covers;
   BoundTuning bound;
 };

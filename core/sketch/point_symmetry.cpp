@@ -288,4 +288,24 @@ std::vector<PointIsometry> pointSymmetries(const Arrangement& arrangement, int p
   return candidates.found;
 }
 
+bool crossesItself(const Arrangement& arrangement, const PointIsometry& map) {
+  constexpr double kBeyond = 0.5;  // modules
+  return std::any_of(arrangement.runs.begin(), arrangement.runs.end(), [&](const Run& run) {
+    const auto length = static_cast<double>(run.edges.size());
+    const Vec3 from = arrangement.nodes[at(run.nodes.front())].position;
+    const Vec3 imageFrom = map.apply(from);
+    const Vec3 imageDirection = map.linear * run.direction;
+    const Vec3 across = lattice::cross(run.direction, imageDirection);
+    const double sine = lattice::length(across);
+    const Vec3 apart = imageFrom - from;
+    if (sine < kOnLine || std::abs(lattice::dot(apart, across)) / sine > kLengthTolerance) {
+      return false;
+    }
+    // from + s * direction = imageFrom + t * imageDirection.
+    const double s = lattice::dot(lattice::cross(apart, imageDirection), across) / (sine * sine);
+    const double t = lattice::dot(lattice::cross(apart, run.direction), across) / (sine * sine);
+    return s > kBeyond && s < length - kBeyond && t > kBeyond && t < length - kBeyond;
+  });
+}
+
 }  // namespace liftarm::sketch

@@ -26,4 +26,8 @@ PointIsometry isometryOf(const Symmetry& symmetry);
 //! \param piece A connected part, or -1 for all.
 std::vector<PointIsometry> pointSymmetries(const Arrangement& arrangement, int piece);
 
+//! \brief Whether a run crosses its own image, both going on beyond: then no two beams can lie as
+//! the map has them, since one must pass the other on another layer.
+bool crossesItself(const Arrangement& arrangement, const PointIsometry& map);
+
 }  // namespace liftarm::sketch

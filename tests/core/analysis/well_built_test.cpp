@@ -1,5 +1,3 @@
-#include "analysis/well_built.h"
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/analysis/well_built_figures.h"
 #include "core/helpers/models.h"
 
 namespace liftarm::analysis {
@@ -16,47 +15,15 @@ using lattice::Vec3;
 using model::Model;
 using nlohmann::json;
 using testing::beamAt;
+using testing::figure;
+using testing::figureOf;
+using testing::itemOf;
+using testing::judge;
 using testing::kX;
 using testing::kY;
 using testing::kZ;
+using testing::lights;
 using testing::pinAt;
-
-std::vector<WellBuiltItem> judge(const Model& model) {
-  const Scene scene = makeScene(model, parts::Catalogue::builtIn());
-  const std::vector<EdgeCover> coverage = findCoverage(scene);
-  const MotionReport motion = analyseMotion(scene, coverage);
-  return judgeWellBuilt({scene, coverage, motion});
-}
-
-WellBuiltItem itemOf(const Model& model, const std::string& id) {
-  for (const WellBuiltItem& item : judge(model)) {
-    if (item.id == id) {
-      return item;
-    }
-  }
-  ADD_FAILURE() << "no item " << id;
-  return {};
-}
-
-double figureOf(const WellBuiltItem& item, const std::string& name) {
-  for (const Figure& figure : item.figures) {
-    if (figure.name == name) {
-      return figure.value;
-    }
-  }
-  ADD_FAILURE() << item.id << " has no figure " << name;
-  return -1;
-}
-
-double figure(const Model& model, const std::string& id, const std::string& name) {
-  return figureOf(itemOf(model, id), name);
-}
-
-bool lights(const WellBuiltItem& item, const std::string& kind, int part) {
-  return std::any_of(item.places.begin(), item.places.end(), [&](const Problem& place) {
-    return place.kind == kind && std::count(place.parts.begin(), place.parts.end(), part) > 0;
-  });
-}
 
 //! A square frame with one more part.
 Model squareWith(const model::PlacedPart& part) {
@@ -294,77 +261,6 @@ TEST(WellBuiltFaithful, OverhangSticksOut) {
   Model model = testing::squareFrame();
   model.parts[0] = beamAt("32525", {5, 0, 0}, kX, kZ);
   EXPECT_NEAR(figure(model, "faithful", "greatestProtrusion"), 2.0, 1e-9);
-}
-
-// Symmetric.
-
-TEST(WellBuiltSymmetric, SquareFrameHasItsMirrors) {
-  const WellBuiltItem item = itemOf(testing::squareFrame(), "symmetric");
-  EXPECT_EQ(figureOf(item, "mirroredBeams"), 4);
-  EXPECT_EQ(figureOf(item, "symmetriesKept"), 4);  // beams that meet in a diagonal pass each other
-  EXPECT_TRUE(item.ok);
-}
-
-TEST(WellBuiltSymmetric, ShiftedBeamHasNoImage) {
-  Model model = testing::squareFrame();
-  model.parts[3].pose.position.y += 1;
-  const WellBuiltItem item = itemOf(model, "symmetric");
-  EXPECT_EQ(figureOf(item, "mirroredBeams"), 3);
-  EXPECT_TRUE(lights(item, "lopsided", 3));
-  EXPECT_FALSE(item.ok);
-}
-
-//! Two rafters of five holes whose ends meet at the top, the right one on another layer.
-Model raftersOnLayers(double left, double right) {
-  Model model;
-  model.sketchJson = testing::sketchOf({{{-4, 0, 0}, {0, 0, 3}}, {{4, 0, 0}, {0, 0, 3}}});
-  model.parts = {beamAt("32525", {-2, left, 1.5}, {0.8, 0, 0.6}, kY),
-                 beamAt("32525", {2, right, 1.5}, {-0.8, 0, 0.6}, kY)};
-  return model;
-}
-
-TEST(WellBuiltSymmetric, RaftersPassEachOtherOnTheNextLayer) {
-  EXPECT_EQ(figure(raftersOnLayers(0, 1), "symmetric", "mirroredBeams"), 2);
-  EXPECT_EQ(figure(raftersOnLayers(0, 2), "symmetric", "mirroredBeams"), 0);
-}
-
-TEST(WellBuiltSymmetric, BeamOnALineOfEvenHolesHasOneMoreOnOneSide) {
-  Model model;
-  model.sketchJson =
-      testing::sketchOf({{{0, 0, 0}, {5, 0, 0}}, {{0, 0, 0}, {0, 0, 4}}, {{5, 0, 0}, {5, 0, 4}}});
-  model.parts = {beamAt("32524", {3, 0, 0}, kX, kY)};  // holes 0 to 6
-  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 1);
-  model.parts[0].pose.position.x = 4;
-  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 0);
-}
-
-TEST(WellBuiltSymmetric, MirrorThatTurnsTheHolesOfALineInItAsksForNothing) {
-  // Y and Z change places; holes of a beam along X point along one of them.
-  Model model;
-  model.sketchJson =
-      testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{0, 0, 0}, {0, 4, 0}}, {{0, 0, 0}, {0, 0, 4}}});
-  model.parts = {beamAt("40490", {4, 0, 0}, kX, kZ)};
-  EXPECT_FALSE(itemOf(model, "symmetric").applies);
-}
-
-TEST(WellBuiltSymmetric, LopsidedDrawingAsksForNothing) {
-  Model model = testing::squareFrame();
-  model.sketchJson =
-      testing::sketchOf({{{0, 0, 0}, {8, 0, 0}}, {{8, 0, 0}, {8, 5, 0}}, {{8, 0, 0}, {8, 0, 3}}});
-  EXPECT_FALSE(itemOf(model, "symmetric").applies);
-}
-
-TEST(WellBuiltSymmetric, WithoutAMirrorRotationsCount) {
-  // An S: it turns, but its only mirror is its own plane.
-  Model model;
-  model.sketchJson = testing::sketchOf({{{0, 0, 0}, {4, 0, 0}},
-                                        {{4, 0, 0}, {4, 2, 0}},
-                                        {{0, 0, 0}, {-4, 0, 0}},
-                                        {{-4, 0, 0}, {-4, -2, 0}}});
-  model.parts = {beamAt("32316", {2, 0, 0}, kX, kZ), beamAt("32316", {-2, 0, 0}, kX, kZ)};
-  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 2);
-  model.parts.pop_back();
-  EXPECT_EQ(figure(model, "symmetric", "mirroredBeams"), 0);
 }
 
 // Few.

@@ -238,6 +238,56 @@ TEST(WishedSymmetries, AreHalfTurnsWhereThereIsNoMirror) {
   EXPECT_EQ(symmetries[0].kind, sketch::Symmetry::Kind::kRotation);
 }
 
+//! A rectangle of 12 by 9 with both its diagonals.
+sketch::Sketch crossedSketch() {
+  return testing::sketchFrom({{{0, 0, 0}, {12, 0, 0}},
+                              {{0, 9, 0}, {12, 9, 0}},
+                              {{0, 0, 0}, {0, 9, 0}},
+                              {{12, 0, 0}, {12, 9, 0}},
+                              {{0, 0, 0}, {12, 9, 0}},
+                              {{0, 9, 0}, {12, 0, 0}}});
+}
+
+TEST(WishedSymmetries, AreHalfTurnsTooWhereLinesCrossInEachMirror) {
+  const std::vector<sketch::Symmetry> symmetries = wishedSymmetries(crossedSketch());
+  ASSERT_EQ(symmetries.size(), 3U);
+  EXPECT_EQ(symmetries.back().kind, sketch::Symmetry::Kind::kRotation);
+  for (const sketch::Symmetry& symmetry : withWishes(crossedSketch(), {false, true}).symmetries) {
+    EXPECT_EQ(symmetry.kind, sketch::Symmetry::Kind::kReflection);  // not beside mirrors
+  }
+  EXPECT_EQ(withWishes(crossedSketch(), {false, true, 2}).symmetries.front().kind,
+            sketch::Symmetry::Kind::kRotation);
+}
+
+//! Freedoms of the default model, as the model wing counts them.
+int freedomsByDefault(const sketch::Sketch& sketch) {
+  const Settings settings = settingsFrom("");
+  Attempts attempts(sketch, settings);
+  while (!attempts.advance(1000)) {
+  }
+  return freedomsOfModel(attempts, sketch);
+}
+
+TEST(Attempts, HoldEachLineOfAStarTwice) {
+  EXPECT_EQ(freedomsByDefault(testing::sketchFrom({{{0, 0, 0}, {9, 0, 0}},
+                                                   {{0, 0, 0}, {-6, 0, 0}},
+                                                   {{0, 0, 0}, {0, 3, 0}},
+                                                   {{0, 0, 0}, {0, -5, 0}},
+                                                   {{0, 0, 0}, {0, 0, 7}},
+                                                   {{0, 0, 0}, {0, 0, -6}}})),
+            0);
+}
+
+TEST(Attempts, HoldTheRidgeOfASymmetricRoof) {
+  testing::Segments lines{{{0, 0, 0}, {0, 9, 0}}, {{8, 0, 0}, {8, 9, 0}}, {{4, 0, 3}, {4, 9, 3}}};
+  for (const double y : {0.0, 9.0}) {
+    lines.push_back({{0, y, 0}, {8, y, 0}});
+    lines.push_back({{0, y, 0}, {4, y, 3}});
+    lines.push_back({{8, y, 0}, {4, y, 3}});
+  }
+  EXPECT_EQ(freedomsByDefault(testing::sketchFrom(lines)), 0);
+}
+
 TEST(Attempts, NeverGoBackInWhatTheyTellOfTheirProgress) {
   const sketch::Sketch sketch = testing::cubeSketch(7);
   const Settings settings = settingsFrom("");

@@ -96,6 +96,76 @@ TEST_P(LayoutEdits, TalliesEqualARecountAfterAnyEdits) {
   }
 }
 
+//! Which body each beam is of: its own, or all the same.
+std::vector<std::vector<int>> bodiesOf(const Layout& layout, bool apart) {
+  std::vector<std::vector<int>> bodies;
+  int next = 0;
+  for (std::size_t r = 0; r < layout.problem().graph.runs.size(); ++r) {
+    bodies.emplace_back(layout.run(static_cast<int>(r)).cover.beams.size(), 0);
+    for (int& body : bodies.back()) {
+      body = apart ? next++ : 0;
+    }
+  }
+  return bodies;
+}
+
+//! Cells of a mechanism, seen from its junction.
+std::vector<lattice::Cell> cellsOf(const Layout& layout, const PlacedMechanism& placed) {
+  std::vector<lattice::Cell> cells;
+  for (const mechanisms::MechanismCell& cell :
+       layout.table().oriented(placed.oriented).shape.cells) {
+    cells.push_back(cell.at + placed.at);
+  }
+  return cells;
+}
+
+TEST_P(LayoutEdits, FurtherJoinsKeepOutOfWhatJoinsTheBeamsAlready) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(17);
+  coverAll(&layout, &rng);
+  for (std::size_t j = 0; j < bench.problem.graph.junctions.size(); ++j) {
+    const auto junction = static_cast<int>(j);
+    for (const FurtherJoin& join : layout.furtherJoins(junction, bodiesOf(layout, true), 50)) {
+      for (const PlacedMechanism& there : layout.junction(junction).connection.mechanisms) {
+        for (const lattice::Cell own : cellsOf(layout, join.placed)) {
+          for (const lattice::Cell other : cellsOf(layout, there)) {
+            EXPECT_FALSE(own == other);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(LayoutEdits, FurtherJoinsAreNoneWithinOneBody) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(18);
+  coverAll(&layout, &rng);
+  for (std::size_t j = 0; j < bench.problem.graph.junctions.size(); ++j) {
+    EXPECT_TRUE(layout.furtherJoins(static_cast<int>(j), bodiesOf(layout, false), 50).empty());
+  }
+}
+
+TEST_P(LayoutEdits, AnAddedMechanismIsInTheTallies) {
+  LayoutBench bench(GetParam().sketch);
+  Layout layout(bench.problem, bench.solver);
+  base::Rng rng(19);
+  coverAll(&layout, &rng);
+  for (std::size_t j = 0; j < bench.problem.graph.junctions.size(); ++j) {
+    const auto junction = static_cast<int>(j);
+    const int before = layout.tallies().mechanisms;
+    const std::vector<FurtherJoin> joins =
+        layout.furtherJoins(junction, bodiesOf(layout, true), 50);
+    if (!joins.empty()) {
+      layout.addMechanism(junction, joins.front());
+      EXPECT_EQ(layout.tallies().mechanisms, before + 1);
+      expectEqual(layout.tallies(), layout.recount());
+    }
+  }
+}
+
 TEST_P(LayoutEdits, RestoreBringsAKeptLayoutBack) {
   LayoutBench bench(GetParam().sketch);
   Layout layout(bench.problem, bench.solver);

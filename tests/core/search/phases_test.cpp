@@ -4,6 +4,7 @@
 #include "search/phase_axles.h"
 #include "search/phase_earlier.h"
 #include "search/phase_first_layout.h"
+#include "search/phase_holds.h"
 #include "search/phase_rounds.h"
 #include "search/phase_stiffen.h"
 
@@ -157,7 +158,7 @@ TEST(AxleTrials, TryNothingOnALayoutWithFaults) {
   LayoutSnapshot broken = wholeLayout(bench.state);
   broken.tallies.gaps = 1;
   bench.state.setBest(broken);
-  EXPECT_TRUE(std::holds_alternative<EndOfSearch>(AxleTrials(bench.state).begin()));
+  EXPECT_TRUE(leadsTo<FurtherHolds>(AxleTrials(bench.state).begin(), bench.state));
 }
 
 TEST(AxleTrials, TryNothingWhereNoAxlesAreAllowed) {
@@ -165,7 +166,61 @@ TEST(AxleTrials, TryNothingWhereNoAxlesAreAllowed) {
   options.axles.clear();
   StateBench bench(testing::gridSketch(3), options);
   bench.state.setBest(wholeLayout(bench.state));
-  EXPECT_TRUE(std::holds_alternative<EndOfSearch>(AxleTrials(bench.state).begin()));
+  EXPECT_TRUE(leadsTo<FurtherHolds>(AxleTrials(bench.state).begin(), bench.state));
+}
+
+TEST(FurtherHolds, AddNothingWhereNobodyMindsWhatMoves) {
+  StateBench bench(testing::squareSketch(8));
+  bench.state.setBest(wholeLayout(bench.state));
+  const LayoutSnapshot before = bench.state.best();
+  EXPECT_TRUE(std::holds_alternative<EndOfSearch>(FurtherHolds(bench.state).begin()));
+  EXPECT_EQ(bench.state.best().tallies.connectors, before.tallies.connectors);
+}
+
+//! A state in which each beam is a body of its own, and any further mechanism holds all.
+struct HoldsBench : StateBench {
+  explicit HoldsBench(bool buildable) : StateBench(testing::cubeSketch(7), optionsOf(buildable)) {
+    state.setBest(wholeLayout(state));
+    mechanisms = state.best().tallies.mechanisms;
+  }
+
+  AnnealingOptions optionsOf(bool buildable) {
+    AnnealingOptions options;
+    options.freedoms = [this](const LayoutSnapshot& layout) {
+      int there = 0;
+      for (const layout::JunctionState& junction : layout.junctions) {
+        there += static_cast<int>(junction.connection.mechanisms.size());
+      }
+      return mechanisms < 0 || there > mechanisms ? 0 : 1;
+    };
+    options.bodies = [this] {
+      std::vector<std::vector<int>> bodies;
+      for (const layout::Cover& cover : state.best().covers) {
+        for (bodies.emplace_back(); bodies.back().size() < cover.beams.size();) {
+          bodies.back().push_back(next++);
+        }
+      }
+      return bodies;
+    };
+    options.buildable = [buildable](const LayoutSnapshot&) { return buildable; };
+    return options;
+  }
+
+  int mechanisms = -1;
+  int next = 0;
+};
+
+TEST(FurtherHolds, AddAMechanismThatHoldsWhatMoves) {
+  HoldsBench bench(true);
+  FurtherHolds(bench.state).begin();
+  EXPECT_EQ(bench.state.best().tallies.mechanisms, bench.mechanisms + 1);
+  EXPECT_EQ(bench.state.best().freedoms, 0);
+}
+
+TEST(FurtherHolds, AddNoneThatCannotBeBuilt) {
+  HoldsBench bench(false);
+  FurtherHolds(bench.state).begin();
+  EXPECT_EQ(bench.state.best().tallies.mechanisms, bench.mechanisms);
 }
 
 TEST(SearchState, StartsOverAsItBegan) {

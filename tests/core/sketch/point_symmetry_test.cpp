@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/helpers/sketches.h"
+
 namespace liftarm::sketch {
 namespace {
 
@@ -45,6 +47,31 @@ TEST(IsometryOf, FourQuarterTurnsMoveNothing) {
   const PointIsometry map = isometryOf(turn({0, 1, 0}, {2, 0, 3}, 4));
   const Vec3 p{5, 6, 7};
   EXPECT_NEAR(lattice::length(map.apply(map.apply(map.apply(map.apply(p)))) - p), 0.0, 1e-12);
+}
+
+Arrangement arrangementOf(const testing::Segments& lines) {
+  return arrange(testing::sketchFrom(lines));
+}
+
+TEST(CrossesItself, WhereARunGoesThroughItsImage) {
+  Symmetry mirror;
+  mirror.normal = {1, 0, 0};
+  const PointIsometry map = isometryOf(mirror);
+  EXPECT_TRUE(
+      crossesItself(arrangementOf({{{-3, -4, 0}, {3, 4, 0}}, {{-3, 4, 0}, {3, -4, 0}}}), map));
+  // Drawn in halves that meet in the mirror, it is the same cross.
+  EXPECT_TRUE(crossesItself(arrangementOf({{{-3, -4, 0}, {0, 0, 0}},
+                                           {{0, 0, 0}, {3, 4, 0}},
+                                           {{-3, 4, 0}, {0, 0, 0}},
+                                           {{0, 0, 0}, {3, -4, 0}}}),
+                            map));
+}
+
+TEST(CrossesItself, NotWhereRaftersEndInTheMirror) {
+  Symmetry mirror;
+  mirror.normal = {1, 0, 0};
+  EXPECT_FALSE(crossesItself(arrangementOf({{{-3, 0, 0}, {0, 4, 0}}, {{3, 0, 0}, {0, 4, 0}}}),
+                             isometryOf(mirror)));
 }
 
 }  // namespace
