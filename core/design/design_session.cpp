@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <optional>
 
 #include <nlohmann/json.hpp>
@@ -51,18 +52,24 @@ class Session final : public DesignSession {
 
   [[nodiscard]] std::string progressJson() const override {
     const layout::Tallies& t = attempts_.search().best().tallies;
+    // Searches with other prices are judged by the prices of the person, as the others are.
+    const json& terms = termsJson();
+    const double objective =
+        std::accumulate(terms.begin(), terms.end(), 0.0, [](double sum, const json& term) {
+          return sum + term.get<double>();
+        });
     return json{{"done", attempts_.done()},
                 {"phase", attempts_.search().phase()},
                 {"iterations", attempts_.iterations()},
                 {"fraction", attempts_.fraction()},
-                {"objective", attempts_.search().best().energy},
+                {"objective", objective},
                 {"temperature", attempts_.search().temperature()},
                 {"beams", t.beams},
                 {"gaps", t.gaps},
                 {"collisions", t.collisions},
                 {"failedConnections", t.failedConnections},
                 {"improvements", attempts_.improvements()},
-                {"terms", termsJson()}}
+                {"terms", terms}}
         .dump();
   }
 

@@ -239,7 +239,7 @@ std::string makeReport(const ReportInput& input) {
       {"wellBuilt", wellBuiltJson(check.wellBuilt)},
       {"notes", notesJson(input.notes)},
       {"problems", problems},
-      {"objective", rounded(best.energy)},
+      {"objective", rounded(objective::value(measures, input.settings.annealing.weights))},
       {"terms", terms},
       {"iterations", input.search.iterations()},
       {"grown", input.search.grown()}}
