@@ -49,6 +49,13 @@ function(liftarm_small)
   endif()
 endfunction()
 
+# The same for files of folders that run at every move.
+function(liftarm_small_files)
+  if(EMSCRIPTEN)
+    set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -Oz)
+  endif()
+endfunction()
+
 if(LIFTARM_SANITIZE)
   list(JOIN LIFTARM_SANITIZE "," sanitizers)
   target_compile_options(liftarm_options INTERFACE "-fsanitize=${sanitizers}" -fno-omit-frame-pointer
