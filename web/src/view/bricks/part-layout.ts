@@ -124,6 +124,11 @@ function toGroup(
   return { axis, radius, halfHeight, points: own, bars: ownBars, cells, holes: inside };
 }
 
+/** Modules: a disc wider than this, such as a wheel's, has holes beside its middle ... */
+const WIDE = 1;
+/** ... which end so far inside its rim. */
+const HOLE_ROOM = 0.5;
+
 function liesIn(
   hole: Feature,
   body: {
@@ -138,8 +143,9 @@ function liesIn(
     return false;
   }
   const flat = subtract(hole.center, scale(prism.axis, height));
+  const near = own.length === 1 && prism.radius > WIDE ? prism.radius - HOLE_ROOM : 0.1;
   return (
-    own.some((point) => distance(point, flat) < 0.1) ||
+    own.some((point) => distance(point, flat) < near) ||
     ownBars.some(([a, b]) => distanceToSegment(flat, own[a] ?? flat, own[b] ?? flat) < 0.1)
   );
 }
