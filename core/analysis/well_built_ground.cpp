@@ -2,11 +2,14 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "analysis/assembly.h"
 #include "analysis/support.h"
 #include "analysis/well_built_items.h"
+#include "parts/gear_teeth.h"
+#include "sketch/shaft_json.h"
 
 namespace liftarm::analysis {
 
@@ -22,6 +25,14 @@ constexpr double kEven = 0.06;
 
 bool touches(double z, double plane) {
   return std::abs(z - plane) < kInPlane;
+}
+
+//! Whether a drawing has wheels at the ends of its shafts: what is drawn to roll stands on them.
+bool hasDrawnWheels(const std::string& sketchJson) {
+  const std::vector<sketch::Shaft> shafts = sketch::shaftsOf(sketchJson).shafts;
+  return std::any_of(shafts.begin(), shafts.end(), [](const sketch::Shaft& shaft) {
+    return shaft.atFrom == sketch::ShaftEnd::kWheel || shaft.atTo == sketch::ShaftEnd::kWheel;
+  });
 }
 
 //! What lies in the lowest plane of some lines, and whether their own centre is above it. What lies
@@ -208,11 +219,13 @@ class GroundJudge {
   }
 
   int countBelow() {
+    const bool rolls = hasDrawnWheels(query_.scene.model->sketchJson);
     int below = 0;
     for (std::size_t i = 0; i < query_.scene.parts.size(); ++i) {
       const int part = static_cast<int>(i);
       if (query_.scene.parts[i].box.min.z > floor_ || query_.scene.parts[i].shapes.empty() ||
-          lowestPoint(query_.scene, {part}) > floor_ - kEven) {
+          lowestPoint(query_.scene, {part}) > floor_ - kEven ||
+          (rolls && query_.scene.model->parts[i].part == parts::kWheel)) {
         continue;
       }
       ++below;

@@ -206,6 +206,17 @@ TEST(WellBuiltStands, PinBelowTheBaseIsFound) {
   EXPECT_FALSE(item.ok);
 }
 
+TEST(WellBuiltStands, DrawnWheelsMayLieBelowTheBase) {
+  Model model = squareWith({"3736", 71, {{4, -3, -1}, {}}, -1, 0, 0});
+  EXPECT_EQ(figure(model, "stands", "belowBase"), 1);
+  json sketch = json::parse(model.sketchJson);
+  sketch["version"] = 2;
+  sketch["shafts"] =
+      json::array({{{"from", {4, -3, -1}}, {"to", {4, 3, -1}}, {"atFrom", "wheel"}}});
+  model.sketchJson = sketch.dump();
+  EXPECT_EQ(figure(model, "stands", "belowBase"), 0);
+}
+
 TEST(WellBuiltStands, LoweredFootLeavesTheOthersInTheAir) {
   Model model = squareWithPost();
   model.parts[0] = beamAt("40490", {4, 0, -2}, kX, kZ);
