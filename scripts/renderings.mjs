@@ -24,7 +24,11 @@ const DRAWINGS = [
   ['chair-side', 'public/gallery', 'something can still be moved.'],
   ['staircase', FOLDER, 'left and right differ, and the treads do not all lie alike.'],
   ['house', 'public/examples', 'a few heads under its roof sit in nothing.'],
-  ['bridge', 'public/examples', 'its lower chords are in pieces that pass each other, and some heads sit in nothing.'],
+  [
+    'bridge',
+    'public/examples',
+    'its lower chords are in pieces that pass each other, and some heads sit in nothing.',
+  ],
   ['tower', 'public/examples', 'one foot is in the air, and its middle bars lie on two heights.'],
   ['airplane', 'public/examples', 'left and right wing differ.'],
   ['crane', FOLDER, 'the jib is spliced at the mast, for the mirror’s sake.'],
