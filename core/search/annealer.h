@@ -17,7 +17,8 @@ namespace liftarm::search {
 //! does); the best layout is kept by (violations, energy). Stepped and deterministic.
 //!
 //! The search is a walk through phases (search/phase.h), each of which says what comes next:
-//! FromEarlier or FirstLayout, Rounds, Stiffening where somebody minds what is loose, AxleTrials.
+//! FromEarlier or FirstLayout, Rounds, Stiffening where somebody minds what is loose, AxleTrials,
+//! FurtherHolds where something moves all the same.
 //! Moves are rows of a table (search/moves.h). Here they are made, judged, and kept or reverted.
 class Annealer final : public LayoutSearch {
  public:

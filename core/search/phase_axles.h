@@ -10,7 +10,7 @@
 
 namespace liftarm::search {
 
-//! \brief The last phase: axles in place of beams. \details Where a joint leaves no choice they lie
+//! \brief Axles in place of beams. \details Where a joint leaves no choice they lie
 //! from the first layout on. All others are tried on the best layout, line by line and whole
 //! families of lines at once: the runs that an axle goes through are turned and covered anew, what
 //! was touched is searched for a while, and it stays where it saves something, takes no more parts,
