@@ -20,12 +20,11 @@ Next FurtherHolds::begin() {
   if (!options.freedoms || !options.bodies || !state().hasWhole()) {
     return EndOfSearch{};
   }
-  freedoms_ = options.freedoms(state().best());
   state().setFreedoms(0);
   state().setFreedomCost(0.0);
   state().forgetGrudges();
   state().restore(state().best());
-  while (freedoms_ > 0 && improve()) {
+  while (improve()) {
   }
   return EndOfSearch{};
 }
@@ -89,12 +88,11 @@ double FurtherHolds::savedBy(const Hold& hold) const {
 //! Adds what helps, all at once where that can be built, or else one that can.
 bool FurtherHolds::improve() {
   freedoms_ = state().options().freedoms(state().best());
-  std::vector<Hold> found = find();
+  const std::vector<Hold> found = freedoms_ > 0 ? find() : std::vector<Hold>{};
   if (found.empty()) {
     return false;
   }
-  const int before = freedoms_;
-  addAll(&found);
+  addAll(found);
   if (accept()) {
     return true;
   }
@@ -106,20 +104,19 @@ bool FurtherHolds::improve() {
       return true;
     }
   }
-  state().restore(state().best());
-  freedoms_ = before;
   return false;
 }
 
 //! Adds the first, and of the others those that still fit and still help.
-void FurtherHolds::addAll(std::vector<Hold>* found) {
+void FurtherHolds::addAll(const std::vector<Hold>& found) {
   const AnnealingOptions& options = state().options();
-  for (Hold& hold : *found) {
+  for (const Hold& hold : found) {
     if (freedoms_ == 0) {
       return;
     }
-    if (&hold != &found->front()) {
-      options.freedoms(state().snapshot());
+    LayoutSnapshot with = state().snapshot();
+    if (&hold != &found.front()) {
+      options.freedoms(with);
       const std::vector<layout::FurtherJoin> joins =
           state().layout().furtherJoins(hold.junction, options.bodies(), kHolds.mostEach);
       if (std::none_of(joins.begin(), joins.end(), [&](const layout::FurtherJoin& join) {
@@ -129,7 +126,6 @@ void FurtherHolds::addAll(std::vector<Hold>* found) {
         continue;
       }
     }
-    LayoutSnapshot with = state().snapshot();
     with.junctions[at(hold.junction)].connection.mechanisms.push_back(hold.join.placed);
     Hold now = hold;
     if (!ask(with, &now)) {

@@ -30,7 +30,7 @@ class FurtherHolds final : public Phase {
   bool ask(const LayoutSnapshot& layout, Hold* hold);
   [[nodiscard]] double savedBy(const Hold& hold) const;
   bool improve();
-  void addAll(std::vector<Hold>* found);
+  void addAll(const std::vector<Hold>& found);
   bool accept();
 
   int freedoms_ = 0;   // of the layout
