@@ -8,6 +8,7 @@ import { inWords } from '../text/sentences.ts';
 import { type AwayStep, makeRow } from './brick-away.ts';
 import { type LabSketch, labSketches } from './lab-sketches.ts';
 import { laboratoryWords as words } from './laboratory-words.ts';
+import { useOneJob } from './one-job.ts';
 import { sketchName } from './race-chooser.tsx';
 
 type Row = readonly AwayStep[];
@@ -85,21 +86,12 @@ function useRow() {
   const page = usePage();
   const client = useMemo(() => createSolverClient(), []);
   const [row, setRow] = useState<Row>([]);
-  const [busy, setBusy] = useState(false);
   const [said, setSaid] = useState({ text: '', bad: false });
   const sketch = useRef<LabSketch | null>(null);
-  const open = useRef<AbortController | null>(null);
-  useEffect(
-    () => () => {
-      open.current?.abort();
-      client.dispose();
-    },
-    [client],
-  );
+  const job = useOneJob();
+  useEffect(() => () => client.dispose(), [client]);
   const go = async (of: LabSketch, from: Row, part: string | null, all: boolean): Promise<void> => {
-    const controller = new AbortController();
-    open.current = controller;
-    setBusy(true);
+    const { signal } = job.begin();
     const without = from.at(-1)?.without ?? [];
     const ended = await makeRow(
       client,
@@ -111,7 +103,7 @@ function useRow() {
           setRow((before) => [...before, step]);
           setSaid({ text: step.uses.length > 0 ? '' : words.awayEnd, bad: false });
         },
-        signal: controller.signal,
+        signal,
       },
     );
     if (!ended) {
@@ -127,12 +119,12 @@ function useRow() {
             bad: true,
           }),
         )
-        .finally(() => setBusy(false));
+        .finally(job.end);
     }
   };
   return {
     row,
-    busy,
+    busy: job.busy,
     said,
     begin: (of: LabSketch) => {
       sketch.current = of;
@@ -142,7 +134,7 @@ function useRow() {
     /** Takes one kind away; null: the most used, again and again. */
     take: (part: string | null) =>
       run(row, part ?? row.at(-1)?.uses[0]?.part ?? null, part === null),
-    stop: () => open.current?.abort(),
+    stop: job.stop,
   };
 }
 

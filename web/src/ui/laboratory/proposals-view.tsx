@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import { fillWords } from '../../tools/tool-words.ts';
 import { MeshShelf } from '../../view/drawing/drawn-part.ts';
 import type { Figures } from '../alternatives/alternatives.ts';
@@ -14,6 +14,7 @@ import { settingsOf } from '../solve-settings.ts';
 import { formatNumber } from '../text/language.ts';
 import { inWords } from '../text/sentences.ts';
 import { laboratoryWords as words } from './laboratory-words.ts';
+import { useOneJob } from './one-job.ts';
 import {
   MOST_TURNS,
   NO_TURNS,
@@ -91,13 +92,10 @@ function useProposals() {
     models: {},
     turns: NO_TURNS,
   });
-  const [busy, setBusy] = useState(false);
   const [failure, setFailure] = useState('');
-  const open = useRef<AbortController | null>(null);
-  useEffect(() => () => open.current?.abort(), []);
+  const job = useOneJob();
   const findAll = async (turns: Turns): Promise<void> => {
-    const controller = new AbortController();
-    open.current = controller;
+    const { signal } = job.begin();
     const preferences = page.preferences.peek();
     const candidates = proposalCandidates(preferences.seed);
     const asked = {
@@ -110,7 +108,6 @@ function useProposals() {
     };
     setFound({ models: {}, turns });
     for (const candidate of candidates) {
-      const { signal } = controller;
       const one = signal.aborted
         ? null
         : await searchOne(alternativesSolver(), asked, candidate, signal);
@@ -121,15 +118,14 @@ function useProposals() {
     }
   };
   const find = (turns: Turns) => {
-    setBusy(true);
     setFailure('');
     findAll(turns)
       .catch((error: unknown) =>
         setFailure(fillWords(words.failed, { message: inWords(String(error)) })),
       )
-      .finally(() => setBusy(false));
+      .finally(job.end);
   };
-  return { found, busy, failure, find, stop: () => open.current?.abort() };
+  return { found, busy: job.busy, failure, find, stop: job.stop };
 }
 
 function Slider(props: {

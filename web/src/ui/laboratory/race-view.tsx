@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import { sharedState } from '../../share/shared-state.ts';
 import { createLabClient } from '../../solver/lab/lab-client.ts';
 import { workersFor } from '../../solver/solver-pool.ts';
@@ -13,6 +13,7 @@ import { saveFile } from '../share/save-file.ts';
 import { LAB_KEYS, setInAddress, textInAddress } from './lab-address.ts';
 import { type LabSketch, labSketches } from './lab-sketches.ts';
 import { laboratoryWords as words } from './laboratory-words.ts';
+import { useOneJob } from './one-job.ts';
 import { newRun, type Run, race } from './race.ts';
 import { RaceCards } from './race-cards.tsx';
 import { LengthChart, TimeChart } from './race-charts.tsx';
@@ -80,22 +81,18 @@ function usePlan() {
 /** One race at a time; it ends with the room. */
 function useRace() {
   const [started, setStarted] = useState<Started | null>(null);
-  const [racing, setRacing] = useState(false);
-  const open = useRef<AbortController | null>(null);
-  useEffect(() => () => open.current?.abort(), []);
+  const job = useOneJob();
   const start = (plan: RacePlan, sketches: readonly LabSketch[]) => {
-    const controller = new AbortController();
-    open.current = controller;
+    const controller = job.begin();
     const runs = sketches.flatMap((sketch) =>
       plan.methods.map((method) => newRun(sketch, method, settingsOfRun(plan, method))),
     );
     setStarted({ plan, runs, stop: controller });
-    setRacing(true);
     const lanes = workersFor(navigator.hardwareConcurrency + 1);
     const options = { lanes, createClient: createLabClient, now: () => performance.now() };
-    void race(runs, options, controller.signal).then(() => setRacing(false));
+    void race(runs, options, controller.signal).then(job.end);
   };
-  return { started, racing, start, stop: () => open.current?.abort() };
+  return { started, racing: job.busy, start, stop: job.stop };
 }
 
 function RaceStatus(props: {

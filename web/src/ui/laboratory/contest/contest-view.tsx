@@ -1,4 +1,4 @@
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useState } from 'preact/hooks';
 import {
   BRIDGE_DEFAULTS,
   type BridgeContest,
@@ -9,6 +9,7 @@ import { fillWords } from '../../../tools/tool-words.ts';
 import { Segmented } from '../../controls.tsx';
 import { usePage } from '../../page-context.ts';
 import { inWords } from '../../text/sentences.ts';
+import { useOneJob } from '../one-job.ts';
 import { BridgeRules } from './bridge-rules.tsx';
 import { contestWords as words } from './contest-words.ts';
 import { type Entry, readEntries } from './entries.ts';
@@ -113,24 +114,14 @@ function useJudging() {
   const client = useMemo(() => createSolverPool({ workers: lanes }), [lanes]);
   const [judged, setJudged] = useState<readonly Judged[]>([]);
   const [count, setCount] = useState(0);
-  const [busy, setBusy] = useState(false);
-  const open = useRef<AbortController | null>(null);
-  useEffect(
-    () => () => {
-      open.current?.abort();
-      client.dispose();
-    },
-    [client],
-  );
+  const job = useOneJob();
+  useEffect(() => () => client.dispose(), [client]);
   const run = (entries: readonly Entry[], contest: Contest) => {
-    const controller = new AbortController();
-    const { signal } = controller;
-    open.current = controller;
+    const { signal } = job.begin();
     const queue = [...entries.entries()];
     const found: (Judged | undefined)[] = [];
     setJudged([]);
     setCount(entries.length);
-    setBusy(true);
     const lane = async (): Promise<void> => {
       for (let next = queue.shift(); next && !signal.aborted; next = queue.shift()) {
         const [i, entry] = next;
@@ -139,7 +130,7 @@ function useJudging() {
       }
     };
     // A lane ends early only when all are stopped.
-    void Promise.allSettled(Array.from({ length: lanes }, lane)).then(() => setBusy(false));
+    void Promise.allSettled(Array.from({ length: lanes }, lane)).then(job.end);
   };
-  return { judged, count, busy, run, stop: () => open.current?.abort() };
+  return { judged, count, busy: job.busy, run, stop: job.stop };
 }

@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { BridgeContest } from '../../../model/contest/bridge.ts';
 import { faultOfGhost, type GhostTruss, ghostSketch } from '../../../solver/truss/ghost-truss.ts';
 import { findTruss } from '../../../solver/truss/truss-client.ts';
@@ -6,6 +6,7 @@ import { fillWords } from '../../../tools/tool-words.ts';
 import { usePage } from '../../page-context.ts';
 import { formatNumber } from '../../text/language.ts';
 import { inWords } from '../../text/sentences.ts';
+import { useOneJob } from '../one-job.ts';
 import { contestWords as words } from './contest-words.ts';
 
 interface Found {
@@ -53,15 +54,11 @@ export function GhostView(props: { readonly rules: BridgeContest; readonly close
 function useGhost() {
   const [found, setFound] = useState<Found | null>(null);
   const [said, setSaid] = useState({ text: '', bad: false });
-  const [busy, setBusy] = useState(false);
-  const open = useRef<AbortController | null>(null);
-  useEffect(() => () => open.current?.abort(), []);
+  const job = useOneJob();
   const find = (rules: BridgeContest) => {
-    const controller = new AbortController();
-    open.current = controller;
-    setBusy(true);
+    const { signal } = job.begin();
     setSaid({ text: words.ghostBusy, bad: false });
-    findTruss(rules, controller.signal)
+    findTruss(rules, signal)
       .then((truss) => {
         setFound(truss ? { rules, truss } : null);
         setSaid({ text: '', bad: false });
@@ -70,9 +67,9 @@ function useGhost() {
         const message = inWords(error instanceof Error ? error.message : String(error));
         setSaid({ text: fillWords(words.badDeck, { message }), bad: true });
       })
-      .finally(() => setBusy(false));
+      .finally(job.end);
   };
-  return { found, said, busy, find, stop: () => open.current?.abort() };
+  return { found, said, busy: job.busy, find, stop: job.stop };
 }
 
 /** One side of it: the stronger a member must be, the thicker it is drawn. */
