@@ -12,6 +12,7 @@
 #include "rivals/rivals.h"
 #include "search/annealer.h"
 #include "search/paper_search.h"
+#include "search/tuning.h"
 
 namespace liftarm::design {
 
@@ -20,7 +21,7 @@ namespace {
 constexpr std::uint32_t kWishingRounds = 5;  // before a wish is given up
 constexpr double kWorthOfSymmetry = 0.25;    // of the objective, of a whole model ...
 constexpr double kWorthOfAlikeness = 0.15;   // ... and of a part of it
-constexpr double kWorthOfFreedom = 20.0;     // two beams, where something moves all the same
+constexpr double kWorthOfFreedom = search::kTuning.holds.worth;
 constexpr double kAlike = 1.0 - 1e-9;
 constexpr std::uint32_t kSymmetricRounds = 5;  // that stiffen: more find nothing
 constexpr std::uint32_t kFreeingRounds = 9;
